@@ -1,0 +1,20 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+namespace scree {
+
+using Vec3 = Eigen::Vector3d;
+using Mat3 = Eigen::Matrix3d;
+/// Unit quaternion (w, x, y, z); turns vectors from a body's frame into the world's.
+using Quat = Eigen::Quaterniond;
+
+/// The matrix [a] with [a] b = a × b.
+inline Mat3 cross_matrix(const Vec3& a) {
+    Mat3 m;
+    m << 0, -a.z(), a.y(), a.z(), 0, -a.x(), -a.y(), a.x(), 0;
+    return m;
+}
+
+}  // namespace scree
