@@ -1,0 +1,24 @@
+# scree::bullet: Bullet in double precision. Debian ships it as a library of its own beside the float one, with a
+# configuration file that names neither targets nor absolute paths. The installed package includes this file too.
+
+if(NOT TARGET scree::bullet)
+    find_package(Bullet CONFIG REQUIRED CONFIGS BulletConfig-float64.cmake)
+    if(BULLET_VERSION_STRING VERSION_LESS 3.24)
+        message(FATAL_ERROR "scree needs Bullet 3.24 or newer, found ${BULLET_VERSION_STRING}")
+    endif()
+    if(NOT BULLET_DEFINITIONS MATCHES BT_USE_DOUBLE_PRECISION)
+        message(FATAL_ERROR "scree needs Bullet in double precision, found ${Bullet_CONFIG}")
+    endif()
+    get_filename_component(bullet_include ${BULLET_INCLUDE_DIR} ABSOLUTE BASE_DIR ${BULLET_ROOT_DIR})
+    get_filename_component(bullet_library_dir ${BULLET_LIBRARY_DIRS} ABSOLUTE BASE_DIR ${BULLET_ROOT_DIR})
+
+    add_library(scree::bullet INTERFACE IMPORTED)
+    target_include_directories(scree::bullet SYSTEM INTERFACE ${bullet_include})
+    target_compile_definitions(scree::bullet INTERFACE BT_USE_DOUBLE_PRECISION)
+    # The file lists libraries that Debian does not build, so only those in use are named here, users first.
+    foreach(bullet_name IN ITEMS BulletDynamics BulletCollision LinearMath)
+        find_library(SCREE_${bullet_name} ${bullet_name}-float64 HINTS ${bullet_library_dir} REQUIRED)
+        mark_as_advanced(SCREE_${bullet_name})
+        target_link_libraries(scree::bullet INTERFACE ${SCREE_${bullet_name}})
+    endforeach()
+endif()

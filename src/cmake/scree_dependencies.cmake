@@ -1,0 +1,8 @@
+# The libraries that scree stands on. Debian's packages give all of them.
+
+find_package(Eigen3 3.4 CONFIG REQUIRED)
+find_package(Qhull CONFIG REQUIRED)
+find_package(assimp CONFIG REQUIRED)
+find_package(nlohmann_json 3.11 CONFIG REQUIRED)
+find_package(CLI11 2 CONFIG REQUIRED)
+include(scree_bullet)

@@ -1,0 +1,62 @@
+# Our libraries and the program: which folders each holds and what it stands on. Sources are collected by folder.
+
+configure_file(${PROJECT_SOURCE_DIR}/include/scree/version.hpp.in
+    ${PROJECT_BINARY_DIR}/include/scree/version.hpp @ONLY)
+set(SCREE_COMPONENTS "")  # the libraries that exist, in order of dependence
+
+# scree_library(<name> FOLDERS <folder>... [PUBLIC <target>...] [PRIVATE <target>...] [PCH <header>...])
+# A library whose folders hold no source yet is skipped, and so are links to it.
+function(scree_library name)
+    cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "FOLDERS;PUBLIC;PRIVATE;PCH")
+    scree_glob(sources ${PROJECT_SOURCE_DIR}/src *.cpp ${arg_FOLDERS})
+    if(NOT sources)
+        return()
+    endif()
+    add_library(scree_${name} ${sources})
+    add_library(scree::${name} ALIAS scree_${name})
+    set_target_properties(scree_${name} PROPERTIES EXPORT_NAME ${name} SCREE_FOLDERS "${arg_FOLDERS}")
+    scree_settings(scree_${name})
+    target_include_directories(scree_${name} PUBLIC
+        $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include>
+        $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+    scree_link(scree_${name} PUBLIC ${arg_PUBLIC})
+    scree_link(scree_${name} PRIVATE ${arg_PRIVATE})
+    if(arg_PCH)
+        target_precompile_headers(scree_${name} PRIVATE ${arg_PCH})
+    endif()
+    set(SCREE_COMPONENTS ${SCREE_COMPONENTS} ${name} PARENT_SCOPE)
+endfunction()
+
+# Links the targets of ours that exist, and all others.
+function(scree_link target scope)
+    foreach(library IN LISTS ARGN)
+        string(REGEX REPLACE "^scree::(core|world|mesh_io|output|scenes)$" "scree_\\1" library ${library})
+        if(TARGET ${library} OR NOT library MATCHES "^scree_")
+            target_link_libraries(${target} ${scope} ${library})
+        endif()
+    endforeach()
+endfunction()
+
+set(eigen_pch <Eigen/Core> <Eigen/Geometry> <vector> <string>)
+scree_library(core FOLDERS mesh overlap contact dynamics bdf
+    PUBLIC Eigen3::Eigen PRIVATE Qhull::qhull_r PCH ${eigen_pch})
+scree_library(world FOLDERS detect world
+    PUBLIC scree::core scree::bullet PCH ${eigen_pch} <btBulletDynamicsCommon.h>)
+scree_library(mesh_io FOLDERS mesh_io
+    PUBLIC scree::core PRIVATE assimp::assimp)
+scree_library(output FOLDERS output
+    PUBLIC scree::core PRIVATE nlohmann_json::nlohmann_json PCH ${eigen_pch})
+scree_library(scenes FOLDERS scenes
+    PUBLIC scree::world scree::mesh_io nlohmann_json::nlohmann_json
+    PCH ${eigen_pch} <btBulletDynamicsCommon.h> <nlohmann/json.hpp>)
+
+scree_glob(program_sources ${PROJECT_SOURCE_DIR}/src *.cpp cli reports)
+if(program_sources)
+    add_executable(scree_program ${program_sources})
+    set_target_properties(scree_program PROPERTIES OUTPUT_NAME scree)
+    scree_settings(scree_program)
+    target_include_directories(scree_program PRIVATE
+        ${PROJECT_SOURCE_DIR}/include ${PROJECT_BINARY_DIR}/include)
+    scree_link(scree_program PRIVATE scree::scenes scree::output scree::world scree::mesh_io scree::core
+        CLI11::CLI11 nlohmann_json::nlohmann_json)
+endif()

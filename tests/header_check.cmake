@@ -1,0 +1,22 @@
+# Every public header compiles alone, with no more than its own library's dependencies. Not in the default build.
+
+add_custom_target(header_check)
+foreach(component IN LISTS SCREE_COMPONENTS)
+    get_target_property(component_folders scree_${component} SCREE_FOLDERS)
+    set(sources "")
+    foreach(folder IN LISTS component_folders)
+        file(GLOB headers CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR}/include
+            ${PROJECT_SOURCE_DIR}/include/scree/${folder}/*.hpp)
+        foreach(header IN LISTS headers)
+            set(source ${CMAKE_CURRENT_BINARY_DIR}/header_check/${header}.cpp)
+            file(CONFIGURE OUTPUT ${source} CONTENT "#include <${header}>\n#include <${header}>\n")
+            list(APPEND sources ${source})
+        endforeach()
+    endforeach()
+    if(sources)
+        add_library(header_check_${component} OBJECT EXCLUDE_FROM_ALL ${sources})
+        scree_settings(header_check_${component})
+        target_link_libraries(header_check_${component} PRIVATE scree_${component})
+        add_dependencies(header_check header_check_${component})
+    endif()
+endforeach()
