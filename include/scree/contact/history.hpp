@@ -1,0 +1,43 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include <scree/mesh/vectors.hpp>
+
+namespace scree {
+
+/// The highest order of the time stepping, and so the most that a contact remembers.
+constexpr std::size_t highest_order = 5;
+
+/// The tangential state of a contact as it was accepted: one vector f_t + (m_n/r̄) n, the friction force on A
+/// in the plane across the normal and the torsional moment over r̄ along it. World axes of its own time.
+struct FrictionRecord {
+    Vec3 force = Vec3::Zero();    ///< [N]
+    Vec3 normal = Vec3::UnitZ();  ///< the normal that it belongs to
+};
+
+/// What a contact remembers of accepted steps. Only an accepted step changes it.
+struct ContactHistory {
+    std::array<FrictionRecord, highest_order> past;  ///< the latest first
+    std::size_t age = 0;                             ///< accepted steps in contact, as far as they are kept
+    bool centre_line = false;                        ///< the normal was the line of centres
+
+    /// An accepted step in contact.
+    void push(const FrictionRecord& record) {
+        for (std::size_t j = past.size() - 1; j > 0; --j) {
+            past[j] = past[j - 1];
+        }
+        past[0] = record;
+        if (age < past.size()) {
+            ++age;
+        }
+    }
+    /// An accepted step without force.
+    void clear() {
+        age = 0;
+        centre_line = false;
+    }
+};
+
+}  // namespace scree

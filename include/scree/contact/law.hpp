@@ -1,0 +1,41 @@
+#pragma once
+
+#include <scree/contact/history.hpp>
+#include <scree/contact/material.hpp>
+#include <scree/contact/motion.hpp>
+
+namespace scree {
+
+/// Everything a contact law may look at. A law is pure: the same input gives the same output, whatever was
+/// asked before; only the caller, on accepting a step, makes a trial record history.
+struct ContactInput {
+    const ContactGeometry& geometry;
+    const RelativeMotion& motion;
+    const PairConstants& pair;
+    const ContactHistory& history;
+    const FrictionStep& step;
+    const MotionRates* rates = nullptr;  ///< set when derivatives are wanted
+};
+
+enum class ContactState { open, stick, slip };
+
+/// What a contact law answers.
+struct ContactForce {
+    Vec3 force = Vec3::Zero();   ///< [N], on A at the centroid; −force on B
+    Vec3 moment = Vec3::Zero();  ///< [N m], on A about the centroid; −moment on B
+    double normal_force = 0;     ///< fn [N] ≥ 0
+    FrictionRecord trial;        ///< what the history becomes if the step is accepted
+    ContactState state = ContactState::open;
+    bool lost_direction = false;       ///< a stored force was normal to the new plane and started from zero
+    Mat39 force_rate = Mat39::Zero();  ///< by the nine unknowns of MotionRates, when asked for
+    Mat39 moment_rate = Mat39::Zero();
+};
+
+/// A law answers for one contact at a time; `law(input, force)` fills `force`, rates included when
+/// input.rates is set.
+template <class Law>
+concept ContactLaw = requires(const Law& law, const ContactInput& input, ContactForce& force) {
+    law(input, force);
+};
+
+}  // namespace scree

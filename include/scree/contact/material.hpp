@@ -1,0 +1,60 @@
+#pragma once
+
+#include <limits>
+
+namespace scree {
+
+/// What a body is made of.
+struct Material {
+    double density = 0;                   ///< [kg/m³]
+    double youngs_modulus = 0;            ///< Y [Pa]
+    double friction = 0;                  ///< μ
+    double normal_damping = 0.5;          ///< γn
+    double tangential_damping = 0.5;      ///< γt
+    double tangential_ratio = 2.0 / 7.0;  ///< Yt/Y
+    bool torsion = true;                  ///< resist spin about the contact normal
+};
+
+/// What a pair of materials is made of; the same fields, without the density.
+struct PairMaterial {
+    double youngs_modulus = 0;
+    double friction = 0;
+    double normal_damping = 0.5;
+    double tangential_damping = 0.5;
+    double tangential_ratio = 2.0 / 7.0;
+    bool torsion = true;
+};
+
+/// The mixing rules: harmonic mean of Y, the smaller μ, means of the dampings and of Yt/Y, torsion if both
+/// have it.
+PairMaterial mix(const Material& a, const Material& b);
+
+/// What the pair constants need to know of a body.
+struct BodySize {
+    double mass =
+        std::numeric_limits<double>::infinity();  ///< [kg]; infinite for a body that forces do not move
+    double radius = 0;  ///< [m], of the sphere of the body's volume; not asked of a body of infinite mass
+};
+
+/// The constants of a pair of bodies, fixed for its life.
+struct PairConstants {
+    double length = 0;                ///< Lc [m], Eq. (5.3)
+    double reduced_mass = 0;          ///< M_red [kg], Eq. (5.28)
+    double elastic = 0;               ///< Y/Lc [N/m³]: elastic force per overlap volume, Eq. (5.7)
+    double normal_damping = 0;        ///< γn √(Y M_red/Lc³) [N s/m³], Eq. (5.7)
+    double tangential_stiffness = 0;  ///< Yt Lc [N/m], Eq. (5.17)
+    double tangential_damping = 0;    ///< γt √(Yt M_red Lc) [N s/m], Eq. (5.21)
+    double friction = 0;              ///< μ
+    bool torsion = true;
+};
+
+/// Lc = 4 r₁ r₂/(r₁ + r₂), our reading of Eq. (5.3): two equal spheres have the distance of their centres. A
+/// body of infinite mass takes the other's radius.
+double characteristic_length(const BodySize& a, const BodySize& b);
+
+/// 1/(1/m₁ + 1/m₂), Eq. (5.28).
+double reduced_mass(const BodySize& a, const BodySize& b);
+
+PairConstants pair_constants(const PairMaterial& material, const BodySize& a, const BodySize& b);
+
+}  // namespace scree

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <limits>
+
+#include <scree/mesh/pose.hpp>
+
+namespace scree {
+
+/// What does not change while a body moves. Its frame has the mass centre as origin and principal axes.
+struct Body {
+    double mass = std::numeric_limits<double>::infinity();  ///< [kg]; infinite: moves as prescribed
+    Vec3 inertia = Vec3::Zero();                            ///< principal moments [kg m²]
+    double radius = 0;                                      ///< ℓ [m], of the sphere of the body's volume
+    Vec3 force = Vec3::Zero();   ///< [N] from outside, weight included, held for a tick; world axes
+    Vec3 torque = Vec3::Zero();  ///< [N m] from outside, about the mass centre; world axes
+
+    [[nodiscard]] bool dynamic() const { return mass < std::numeric_limits<double>::infinity(); }
+};
+
+/// What is integrated. A prescribed body has velocities here, in place of momenta.
+struct BodyState {
+    Vec3 position = Vec3::Zero();          ///< of the mass centre [m]
+    Quat orientation = Quat::Identity();   ///< unit
+    Vec3 momentum = Vec3::Zero();          ///< p [kg m/s]; prescribed: velocity [m/s]
+    Vec3 angular_momentum = Vec3::Zero();  ///< L about the mass centre [kg m²/s]; prescribed: ω [rad/s]
+};
+
+/// The inertia tensor [kg m²] in world axes.
+Mat3 world_inertia(const Body& body, const Quat& orientation);
+
+Vec3 velocity(const Body& body, const BodyState& state);  ///< [m/s]
+Vec3 spin(const Body& body, const BodyState& state);      ///< ω [rad/s], world axes
+
+}  // namespace scree

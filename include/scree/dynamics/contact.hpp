@@ -1,0 +1,40 @@
+#pragma once
+
+#include <scree/contact/law.hpp>
+#include <scree/dynamics/body.hpp>
+#include <scree/overlap/shape.hpp>
+
+namespace scree {
+
+/// A convex part of a body.
+struct Collider {
+    int body = 0;
+    const Shape* shape = nullptr;  ///< kept alive by the owner of the collider
+    Pose local;                    ///< of the shape, in the body's frame
+};
+
+/// A pair of colliders that may touch, and what it remembers. By convention a.body < b.body.
+struct Contact {
+    Collider a;
+    Collider b;
+    PairConstants pair;
+    ContactHistory history;
+};
+
+/// What a contact does at the present trial, and the derivatives of it when they were asked for.
+struct ContactResult {
+    bool touching = false;               ///< the shapes overlap
+    ContactForce law;                    ///< what the law answered
+    Vec3 moment_a = Vec3::Zero();        ///< on A about its mass centre [N m]
+    Vec3 moment_b = Vec3::Zero();        ///< on B about its mass centre [N m]
+    Mat39 moment_a_rate, moment_b_rate;  ///< by the nine unknowns of MotionRates
+    Vec3 point = Vec3::Zero();           ///< the centroid [m], world frame
+    Vec3 normal = Vec3::UnitZ();
+    double volume = 0;      ///< V [m³]
+    double area = 0;        ///< ‖S‖ [m²]
+    double depth = 0;       ///< δ [m]
+    double slip_speed = 0;  ///< ‖v_t‖ [m/s]
+    bool centre_line = false;
+};
+
+}  // namespace scree

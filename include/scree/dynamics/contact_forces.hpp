@@ -1,0 +1,73 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include <scree/contact/cundall_strack.hpp>
+#include <scree/dynamics/contact.hpp>
+#include <scree/dynamics/pair_motion.hpp>
+#include <scree/overlap/overlap.hpp>
+
+namespace scree {
+
+/// Evaluates a batch of contacts at trial states. One virtual call a batch; within it the law is known by
+/// type.
+class ContactForces {
+  public:
+    virtual ~ContactForces() = default;
+
+    /// Fills results[i] from contacts[i]; bodies are looked up by number. Changes nothing else.
+    virtual void evaluate(std::span<const Contact> contacts, std::span<const TrialBody> bodies,
+                          const StepFormulas& formulas, Detail detail, std::span<ContactResult> results) = 0;
+};
+
+/// Where the overlap is, and how the bodies move there. Returns false when they do not overlap.
+bool locate(const Contact& contact, const TrialBody& a, const TrialBody& b, Detail detail,
+            OverlapWorkspace& workspace, ContactGeometry& geometry, PairArms& arms);
+
+/// Copies what reports and the assembly need out of a contact's evaluation.
+void settle(const ContactGeometry& geometry, const RelativeMotion& motion, const TrialBody& a,
+            const PairArms& arms, const MotionRates* rates, ContactResult& result);
+
+template <ContactLaw Law>
+class ForcesOf final : public ContactForces {
+  public:
+    explicit ForcesOf(Law law) : law_(std::move(law)) {}
+
+    void evaluate(std::span<const Contact> contacts, std::span<const TrialBody> bodies,
+                  const StepFormulas& formulas, Detail detail, std::span<ContactResult> results) override {
+        for (std::size_t i = 0; i < contacts.size(); ++i) {
+            const Contact& contact = contacts[i];
+            evaluate_one(contact, bodies[static_cast<std::size_t>(contact.a.body)],
+                         bodies[static_cast<std::size_t>(contact.b.body)], formulas, detail, results[i]);
+        }
+    }
+
+  private:
+    void evaluate_one(const Contact& contact, const TrialBody& a, const TrialBody& b,
+                      const StepFormulas& formulas, Detail detail, ContactResult& result) {
+        PairArms arms;
+        result.touching = locate(contact, a, b, detail, workspace_, geometry_, arms);
+        result.law.state = ContactState::open;
+        if (!result.touching) {
+            return;
+        }
+        const RelativeMotion motion = relative_motion(a, b, arms);
+        const MotionRates* rates = nullptr;
+        if (detail == Detail::derivative) {
+            motion_rates(geometry_, motion, a, b, arms, formulas.beta_h, rates_);
+            rates = &rates_;
+        }
+        const FrictionStep step{formulas.friction(contact.history.age), a.turns, b.turns,
+                                formulas.friction_cap};
+        law_({geometry_, motion, contact.pair, contact.history, step, rates}, result.law);
+        settle(geometry_, motion, a, arms, rates, result);
+    }
+
+    Law law_;
+    OverlapWorkspace workspace_;
+    ContactGeometry geometry_;
+    MotionRates rates_;
+};
+
+}  // namespace scree

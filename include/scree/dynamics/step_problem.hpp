@@ -1,0 +1,73 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <scree/dynamics/contact_forces.hpp>
+#include <scree/dynamics/jacobian.hpp>
+
+namespace scree {
+
+/// Bodies, their states and the pairs that may touch: what a step starts from.
+struct System {
+    std::vector<Body> bodies;
+    std::vector<BodyState> states;
+    std::vector<Contact> contacts;  ///< sorted by body, then by part
+};
+
+/// The nonlinear equations of one implicit step, p(v) − p_start − βh F = 0 and L(ω) − L_start − βh T = 0, in
+/// the new velocities u, six numbers (v, ω) a body; positions, orientations and friction follow from them.
+class StepProblem {
+  public:
+    StepProblem(const System& system, ContactForces& forces) : system_(system), forces_(forces) {}
+
+    /// The formulas of this step and what the past contributes, one start a body.
+    void begin(const StepFormulas& formulas, std::vector<BodyStart>& starts);
+
+    /// Limits the tangential stiffness for the evaluations that follow; see FrictionStep.
+    void cap_friction(double cap) { formulas_.friction_cap = cap; }
+
+    /// Moves all bodies to where velocities u lead and computes all forces there. Counts one evaluation a
+    /// contact.
+    void evaluate(const Eigen::VectorXd& u, Detail detail);
+
+    [[nodiscard]] const Eigen::VectorXd& residual() const { return residual_; }
+    /// Whether a contact opened or closed or changed between stick and slip since the last factorisation.
+    [[nodiscard]] bool states_changed() const;
+
+    /// From the last evaluation, which must have been with derivatives. False: singular.
+    bool factorize();
+    /// x := J⁻¹ x with the last factorisation.
+    void solve(Eigen::VectorXd& x) const { jacobian_.solve(x); }
+
+    /// The bodies' states at the last evaluation; momenta take the forces of that very evaluation, so that no
+    /// solver's residual leaks into them.
+    void new_states(std::vector<BodyState>& states) const;
+
+    [[nodiscard]] const StepFormulas& formulas() const { return formulas_; }
+    [[nodiscard]] std::span<const ContactResult> results() const { return results_; }
+    [[nodiscard]] std::span<const TrialBody> trial() const { return trial_; }
+    [[nodiscard]] const Jacobian& jacobian() const { return jacobian_; }
+    [[nodiscard]] const std::vector<Vec3>& forces() const { return force_; }    ///< [N], outside included
+    [[nodiscard]] const std::vector<Vec3>& torques() const { return torque_; }  ///< [N m]
+    [[nodiscard]] std::size_t evaluations() const { return evaluations_; }
+
+  private:
+    void place_bodies(const Eigen::VectorXd& u);
+    void sum_forces();
+    void fill_residual();
+
+    const System& system_;
+    ContactForces& forces_;
+    StepFormulas formulas_;
+    std::vector<BodyStart> starts_;
+    std::vector<TrialBody> trial_;
+    std::vector<ContactResult> results_;
+    std::vector<ContactState> factorized_states_;
+    std::vector<Vec3> force_, torque_;
+    Eigen::VectorXd residual_;
+    Jacobian jacobian_;
+    std::size_t evaluations_ = 0;
+};
+
+}  // namespace scree

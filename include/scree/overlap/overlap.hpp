@@ -1,0 +1,34 @@
+#pragma once
+
+#include <vector>
+
+#include <scree/overlap/clip.hpp>
+#include <scree/overlap/contact_geometry.hpp>
+#include <scree/overlap/shape.hpp>
+
+namespace scree {
+
+/// How much of the geometry is wanted.
+enum class Detail {
+    force,       ///< without `boundary` and `normal_rate`
+    derivative,  ///< everything
+};
+
+/// Buffers of the overlap computation, one a thread.
+struct OverlapWorkspace {
+    ClippedSolid clipped;
+    std::vector<Plane> planes;
+};
+
+/// The overlap of two shapes at their poses, Eq. (5.7)'s V with all that goes with it. Returns false, leaving
+/// `geometry` as it was, when they do not overlap. `was_centre_line` is the committed value of
+/// geometry.centre_line, for its hysteresis. Throws std::invalid_argument for two half-spaces, and for a
+/// sphere with a polyhedron.
+bool overlap(const Shape& a, const Pose& pose_a, const Shape& b, const Pose& pose_b, Detail detail,
+             bool was_centre_line, OverlapWorkspace& workspace, ContactGeometry& geometry);
+
+/// The corners [m] of the patch, B's surface inside A, left in the workspace by the last overlap of two
+/// shapes of which at least one is a polyhedron: in the frame of the polyhedron that was clipped.
+std::vector<Vec3> patch_outline(const OverlapWorkspace& workspace);
+
+}  // namespace scree

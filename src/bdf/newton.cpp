@@ -1,0 +1,156 @@
+#include <scree/bdf/newton.hpp>
+
+#include <cmath>
+#include <limits>
+
+namespace scree {
+
+namespace {
+
+constexpr std::size_t most_iterations = 25;
+constexpr std::size_t full_steps = 4;  // before the search sets in
+constexpr std::size_t most_age = 20;   // steps that a factorisation serves
+constexpr double most_change = 0.3;    // of βh, that a factorisation survives
+constexpr double slow = 0.2;           // ratio of successive steps above which it is made anew
+constexpr double steep = 0.5;          // share of the first slope that a searched step may leave
+constexpr int most_searches = 8;
+constexpr double caps[] = {0.3, 1, 3, 10, 30};
+
+}  // namespace
+
+bool Newton::solve(StepProblem& problem, std::span<const Body> bodies, double gravity, double tolerance,
+                   Eigen::VectorXd& u) {
+    const Eigen::VectorXd predicted = u;
+    if (iterate(problem, bodies, gravity, tolerance, most_iterations, u) == Outcome::converged) {
+        return true;
+    }
+    // From softer friction to the law as it is, each from the last solution.
+    u = predicted;
+    for (const double cap : caps) {
+        problem.cap_friction(cap);
+        forget();
+        if (iterate(problem, bodies, gravity, tolerance, most_iterations, u) == Outcome::failed) {
+            break;
+        }
+    }
+    problem.cap_friction(std::numeric_limits<double>::infinity());
+    forget();
+    if (iterate(problem, bodies, gravity, tolerance, most_iterations, u) == Outcome::converged) {
+        return true;
+    }
+    forget();
+    u = predicted;
+    return false;
+}
+
+Newton::Outcome Newton::iterate(StepProblem& problem, std::span<const Body> bodies, double gravity,
+                                double tolerance, std::size_t most, Eigen::VectorXd& u) {
+    bool fresh = false;
+    if (stale(problem)) {
+        if (!refresh(problem, u)) {
+            return Outcome::failed;
+        }
+        fresh = true;
+    } else {
+        problem.evaluate(u, Detail::force);
+    }
+    ++age_;
+    double last = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < most; ++i) {
+        if (!fresh && problem.states_changed()) {
+            if (!refresh(problem, u)) {
+                return Outcome::failed;
+            }
+        }
+        direction_ = -problem.residual();
+        problem.solve(direction_);
+        if (!direction_.allFinite()) {
+            return Outcome::failed;
+        }
+        const double slope = problem.residual().dot(direction_);
+        ++statistics_.iterations;
+        const double share = i < full_steps ? 1 : search(problem, u, direction_, slope);
+        u += share * direction_;
+        problem.evaluate(u, Detail::force);
+        const double size = share * step_norm(problem, bodies, gravity, direction_);
+        if (!std::isfinite(size)) {
+            return Outcome::failed;
+        }
+        const double ratio = size / last;
+        if (share == 1 && size * std::min(1.0, 3 * ratio) <= tolerance && !problem.states_changed()) {
+            return Outcome::converged;
+        }
+        fresh = false;
+        if (ratio > slow || share < 1) {
+            if (!refresh(problem, u)) {
+                return Outcome::failed;
+            }
+            fresh = true;
+        }
+        last = size;
+    }
+    return Outcome::failed;
+}
+
+bool Newton::stale(const StepProblem& problem) const {
+    return !factorized_ || age_ >= most_age ||
+           std::abs(problem.formulas().beta_h / factorized_beta_h_ - 1) > most_change;
+}
+
+bool Newton::refresh(StepProblem& problem, const Eigen::VectorXd& u) {
+    problem.evaluate(u, Detail::derivative);
+    ++statistics_.jacobians;
+    ++statistics_.factorizations;
+    factorized_ = problem.factorize();
+    factorized_beta_h_ = problem.formulas().beta_h;
+    age_ = 0;
+    return factorized_;
+}
+
+// The share of the direction where R·du vanishes, by regula falsi between its ends, or 1 while it has not
+// passed.
+double Newton::search(StepProblem& problem, const Eigen::VectorXd& u, const Eigen::VectorXd& direction,
+                      double slope) {
+    const auto slope_at = [&](double share) {
+        trial_ = u + share * direction;
+        problem.evaluate(trial_, Detail::force);
+        return problem.residual().dot(direction);
+    };
+    double low = 0;
+    double low_slope = slope;
+    double high = 1;
+    double high_slope = slope_at(high);
+    if (!(slope < 0) || high_slope <= steep * std::abs(slope)) {
+        return 1;
+    }
+    double share = high;
+    for (int i = 0; i < most_searches; ++i) {
+        share = low + (high - low) * std::clamp(-low_slope / (high_slope - low_slope), 0.1, 0.9);
+        const double at = slope_at(share);
+        if (std::abs(at) <= steep * std::abs(slope)) {
+            break;
+        }
+        (at < 0 ? low : high) = share;
+        (at < 0 ? low_slope : high_slope) = at;
+    }
+    return share;
+}
+
+double Newton::step_norm(const StepProblem& problem, std::span<const Body> bodies, double gravity,
+                         const Eigen::VectorXd& step) {
+    const ErrorScale scale(bodies, problem.trial(), gravity);
+    const double beta_h = problem.formulas().beta_h;
+    double largest = 0;
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+        if (!bodies[b].dynamic()) {
+            continue;
+        }
+        const auto row = static_cast<Eigen::Index>(6 * b);
+        const Vec3 v = step.segment<3>(row);
+        const Vec3 w = step.segment<3>(row + 3);
+        largest = std::max(largest, scale.norm(b, {beta_h * v, beta_h * w, v, w}));
+    }
+    return largest;
+}
+
+}  // namespace scree

@@ -1,0 +1,46 @@
+#include <scree/contact/material.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace scree {
+
+PairMaterial mix(const Material& a, const Material& b) {
+    PairMaterial pair;
+    pair.youngs_modulus = 2 / (1 / a.youngs_modulus + 1 / b.youngs_modulus);
+    pair.friction = std::min(a.friction, b.friction);
+    pair.normal_damping = 0.5 * (a.normal_damping + b.normal_damping);
+    pair.tangential_damping = 0.5 * (a.tangential_damping + b.tangential_damping);
+    pair.tangential_ratio = 0.5 * (a.tangential_ratio + b.tangential_ratio);
+    pair.torsion = a.torsion && b.torsion;
+    return pair;
+}
+
+double characteristic_length(const BodySize& a, const BodySize& b) {
+    const double radius_a = std::isinf(a.mass) ? b.radius : a.radius;
+    const double radius_b = std::isinf(b.mass) ? a.radius : b.radius;
+    return 4 * radius_a * radius_b / (radius_a + radius_b);
+}
+
+double reduced_mass(const BodySize& a, const BodySize& b) {
+    return 1 / (1 / a.mass + 1 / b.mass);
+}
+
+PairConstants pair_constants(const PairMaterial& material, const BodySize& a, const BodySize& b) {
+    PairConstants pair;
+    const double y = material.youngs_modulus;
+    const double length = characteristic_length(a, b);
+    const double mass = reduced_mass(a, b);
+    const double tangential = material.tangential_ratio * y;
+    pair.length = length;
+    pair.reduced_mass = mass;
+    pair.elastic = y / length;
+    pair.normal_damping = material.normal_damping * std::sqrt(y / length * mass) / length;
+    pair.tangential_stiffness = tangential * length;
+    pair.tangential_damping = material.tangential_damping * std::sqrt(tangential * mass * length);
+    pair.friction = material.friction;
+    pair.torsion = material.torsion;
+    return pair;
+}
+
+}  // namespace scree

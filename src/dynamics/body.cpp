@@ -1,0 +1,22 @@
+#include <scree/dynamics/body.hpp>
+
+namespace scree {
+
+Mat3 world_inertia(const Body& body, const Quat& orientation) {
+    const Mat3 axes = orientation.toRotationMatrix();
+    return axes * body.inertia.asDiagonal() * axes.transpose();
+}
+
+Vec3 velocity(const Body& body, const BodyState& state) {
+    return body.dynamic() ? Vec3(state.momentum / body.mass) : state.momentum;
+}
+
+Vec3 spin(const Body& body, const BodyState& state) {
+    if (!body.dynamic()) {
+        return state.angular_momentum;
+    }
+    const Vec3 inner = state.orientation.conjugate() * state.angular_momentum;
+    return state.orientation * Vec3(inner.cwiseQuotient(body.inertia));
+}
+
+}  // namespace scree

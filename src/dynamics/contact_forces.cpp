@@ -1,0 +1,40 @@
+#include <scree/dynamics/contact_forces.hpp>
+
+namespace scree {
+
+bool locate(const Contact& contact, const TrialBody& a, const TrialBody& b, Detail detail,
+            OverlapWorkspace& workspace, ContactGeometry& geometry, PairArms& arms) {
+    const Pose pose_a = a.pose * contact.a.local;
+    const Pose pose_b = b.pose * contact.b.local;
+    if (!overlap(*contact.a.shape, pose_a, *contact.b.shape, pose_b, detail, contact.history.centre_line,
+                 workspace, geometry)) {
+        return false;
+    }
+    arms.a = geometry.centroid + a.pose.orientation * contact.a.local.position;
+    arms.b = arms.a + (a.pose.position - b.pose.position);
+    return true;
+}
+
+void settle(const ContactGeometry& geometry, const RelativeMotion& motion, const TrialBody& a,
+            const PairArms& arms, const MotionRates* rates, ContactResult& result) {
+    const ContactForce& law = result.law;
+    result.point = a.pose.position + arms.a;
+    result.normal = geometry.normal;
+    result.volume = geometry.volume;
+    result.area = geometry.area;
+    result.depth = geometry.depth;
+    result.centre_line = geometry.centre_line;
+    result.slip_speed = (motion.velocity - motion.velocity.dot(geometry.normal) * geometry.normal).norm();
+    result.moment_a = law.moment + arms.a.cross(law.force);
+    result.moment_b = -(law.moment + arms.b.cross(law.force));
+    if (rates == nullptr) {
+        return;
+    }
+    const Mat3 force = cross_matrix(law.force);
+    result.moment_a_rate = law.moment_rate - force * rates->arm_a;
+    result.moment_a_rate.noalias() += cross_matrix(arms.a) * law.force_rate;
+    result.moment_b_rate = force * rates->arm_b - law.moment_rate;
+    result.moment_b_rate.noalias() -= cross_matrix(arms.b) * law.force_rate;
+}
+
+}  // namespace scree

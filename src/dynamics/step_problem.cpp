@@ -1,0 +1,103 @@
+#include <scree/dynamics/step_problem.hpp>
+
+namespace scree {
+
+void StepProblem::begin(const StepFormulas& formulas, std::vector<BodyStart>& starts) {
+    formulas_ = formulas;
+    starts_.swap(starts);
+    trial_.resize(system_.bodies.size());
+    results_.resize(system_.contacts.size());
+    residual_.setZero(static_cast<Eigen::Index>(6 * system_.bodies.size()));
+}
+
+void StepProblem::evaluate(const Eigen::VectorXd& u, Detail detail) {
+    place_bodies(u);
+    forces_.evaluate(system_.contacts, trial_, formulas_, detail, results_);
+    evaluations_ += system_.contacts.size();
+    sum_forces();
+    fill_residual();
+}
+
+void StepProblem::place_bodies(const Eigen::VectorXd& u) {
+    for (std::size_t b = 0; b < trial_.size(); ++b) {
+        TrialBody& body = trial_[b];
+        const auto row = static_cast<Eigen::Index>(6 * b);
+        body.velocity = u.segment<3>(row);
+        body.spin = u.segment<3>(row + 3);
+        place(starts_[b], formulas_, body);
+    }
+}
+
+// In the order of the contacts, so that the sums do not depend on how the contacts were shared out.
+void StepProblem::sum_forces() {
+    force_.resize(trial_.size());
+    torque_.resize(trial_.size());
+    for (std::size_t b = 0; b < trial_.size(); ++b) {
+        force_[b] = system_.bodies[b].force;
+        torque_[b] = system_.bodies[b].torque;
+    }
+    for (std::size_t i = 0; i < results_.size(); ++i) {
+        const ContactResult& result = results_[i];
+        if (result.law.state == ContactState::open) {
+            continue;
+        }
+        const auto a = static_cast<std::size_t>(system_.contacts[i].a.body);
+        const auto b = static_cast<std::size_t>(system_.contacts[i].b.body);
+        force_[a] += result.law.force;
+        force_[b] -= result.law.force;
+        torque_[a] += result.moment_a;
+        torque_[b] += result.moment_b;
+    }
+}
+
+void StepProblem::fill_residual() {
+    for (std::size_t b = 0; b < trial_.size(); ++b) {
+        const Body& body = system_.bodies[b];
+        if (!body.dynamic()) {
+            continue;
+        }
+        const TrialBody& trial = trial_[b];
+        const BodyStart& start = starts_[b];
+        const auto row = static_cast<Eigen::Index>(6 * b);
+        residual_.segment<3>(row) =
+            body.mass * trial.velocity - start.momentum - formulas_.beta_h * force_[b];
+        residual_.segment<3>(row + 3) = world_inertia(body, trial.pose.orientation) * trial.spin -
+                                        start.angular_momentum - formulas_.beta_h * torque_[b];
+    }
+}
+
+bool StepProblem::states_changed() const {
+    if (factorized_states_.size() != results_.size()) {
+        return true;
+    }
+    for (std::size_t i = 0; i < results_.size(); ++i) {
+        if (results_[i].law.state != factorized_states_[i]) {
+            return true;
+        }
+    }
+    return false;
+}
+
+bool StepProblem::factorize() {
+    factorized_states_.resize(results_.size());
+    for (std::size_t i = 0; i < results_.size(); ++i) {
+        factorized_states_[i] = results_[i].law.state;
+    }
+    jacobian_.assemble(system_.bodies, trial_, system_.contacts, results_, formulas_.beta_h);
+    return jacobian_.factorize();
+}
+
+void StepProblem::new_states(std::vector<BodyState>& states) const {
+    states = system_.states;
+    for (std::size_t b = 0; b < trial_.size(); ++b) {
+        states[b].position = trial_[b].pose.position;
+        states[b].orientation = trial_[b].pose.orientation;
+        if (!system_.bodies[b].dynamic()) {
+            continue;
+        }
+        states[b].momentum = starts_[b].momentum + formulas_.beta_h * force_[b];
+        states[b].angular_momentum = starts_[b].angular_momentum + formulas_.beta_h * torque_[b];
+    }
+}
+
+}  // namespace scree

@@ -1,0 +1,78 @@
+#include <scree/overlap/overlap.hpp>
+
+#include <stdexcept>
+
+#include "polyhedron_overlap.hpp"
+#include "smooth_overlap.hpp"
+
+namespace scree {
+
+namespace {
+
+struct Overlap {
+    const Pose& pose_a;
+    const Pose& pose_b;
+    Detail detail;
+    bool was_centre_line;
+    OverlapWorkspace& workspace;
+    ContactGeometry& geometry;
+
+    bool operator()(const ConvexPolyhedron& a, const ConvexPolyhedron& b) const {
+        return overlap_polyhedra(a, pose_a, b, pose_b, detail, was_centre_line, workspace, geometry);
+    }
+    bool operator()(const ConvexPolyhedron& a, const HalfSpace& b) const {
+        return overlap_half_space(a, pose_a, b, pose_b, detail, workspace, geometry);
+    }
+    bool operator()(const Sphere& a, const HalfSpace& b) const {
+        return overlap_cap(a, pose_a, b, pose_b, geometry);
+    }
+    bool operator()(const Sphere& a, const Sphere& b) const {
+        return overlap_lens(a, pose_a, b, pose_b, geometry);
+    }
+
+    // What is not known one way round is asked the other way round.
+    template <class A>
+    bool operator()(const HalfSpace& a, const A& b) const {
+        const Overlap turned{pose_b, pose_a, detail, was_centre_line, workspace, geometry};
+        if (!turned(b, a)) {
+            return false;
+        }
+        geometry = exchanged(geometry, pose_a.position - pose_b.position);
+        return true;
+    }
+    bool operator()(const HalfSpace&, const HalfSpace&) const {
+        throw std::invalid_argument("two half-spaces have no bounded overlap");
+    }
+    bool operator()(const Sphere&, const ConvexPolyhedron&) const { return refuse_sphere_on_polyhedron(); }
+    bool operator()(const ConvexPolyhedron&, const Sphere&) const { return refuse_sphere_on_polyhedron(); }
+
+    static bool refuse_sphere_on_polyhedron() {
+        throw std::invalid_argument("a sphere against a polyhedron is not done");
+    }
+};
+
+}  // namespace
+
+bool overlap(const Shape& a, const Pose& pose_a, const Shape& b, const Pose& pose_b, Detail detail,
+             bool was_centre_line, OverlapWorkspace& workspace, ContactGeometry& geometry) {
+    return std::visit(Overlap{pose_a, pose_b, detail, was_centre_line, workspace, geometry}, a, b);
+}
+
+std::vector<Vec3> patch_outline(const OverlapWorkspace& workspace) {
+    std::vector<Vec3> corners;
+    const ClippedSolid& solid = workspace.clipped;
+    for (const ClippedSolid::Face& face : solid.faces()) {
+        if (face.tag < cut_tags) {
+            continue;
+        }
+        for (int e = face.begin; e < face.end; ++e) {
+            const HalfEdge& edge = solid.half_edges()[static_cast<std::size_t>(e)];
+            if (edge.across < cut_tags) {
+                corners.push_back(solid.point(edge.vertex));
+            }
+        }
+    }
+    return corners;
+}
+
+}  // namespace scree

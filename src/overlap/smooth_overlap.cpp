@@ -1,0 +1,120 @@
+#include "smooth_overlap.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace scree {
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+// The cap of height h of a sphere: volume [m³] and height of its centroid above its flat side [m].
+struct Cap {
+    double volume, centroid;
+
+    Cap(double radius, double h)
+        : volume(pi * h * h * (radius - h / 3)), centroid(h * (4 * radius - h) / (4 * (3 * radius - h))) {}
+};
+
+double ball_volume(double radius) {
+    return 4.0 / 3.0 * pi * radius * radius * radius;
+}
+
+// How A's centre moves with ξ, a motion about the overlap's centroid.
+Mat36 centre_rate(const ContactGeometry& g) {
+    Mat36 rate;
+    rate << Mat3::Identity(), cross_matrix(g.centroid);
+    return rate;
+}
+
+// A sphere's own turning changes nothing, so all derivatives follow from those by the motion of its centre.
+void follow_centre(ContactGeometry& g, const Mat3& area_vector_rate, const Mat3& normal_rate) {
+    const Mat36 centre = centre_rate(g);
+    g.second_moment = g.first_moment * centre.rightCols<3>();
+    g.boundary.topRows<3>() = area_vector_rate * centre;
+    g.boundary.bottomRows<3>() =
+        -cross_matrix(g.area_vector) * centre - cross_matrix(g.centroid) * g.boundary.topRows<3>();
+    g.normal_rate = normal_rate * centre;
+}
+
+// All of the inner body: no surface vector, and everything moves with that body.
+void fill_whole(ContactGeometry& g, double radius, const Vec3& centre, bool is_a) {
+    g.centre_line = true;
+    g.volume = ball_volume(radius);
+    g.centroid = centre;
+    if (is_a) {
+        g.first_moment = g.volume * Mat3::Identity();
+    }
+}
+
+}  // namespace
+
+bool overlap_cap(const Sphere& a, const Pose& pose_a, const HalfSpace& b, const Pose& pose_b,
+                 ContactGeometry& g) {
+    const Vec3 normal = pose_b.orientation * b.normal;
+    const double height = normal.dot(pose_a.position - pose_b.position) - b.offset;
+    const double depth = a.radius - height;
+    if (!(depth > 0)) {
+        return false;
+    }
+    g = ContactGeometry{};
+    g.normal = normal;
+    g.depth = std::min(depth, 2 * a.radius);
+    if (depth >= 2 * a.radius) {
+        fill_whole(g, a.radius, Vec3::Zero(), true);
+        follow_centre(g, Mat3::Zero(), Mat3::Zero());
+        return true;
+    }
+    const Cap part(a.radius, depth);
+    const Mat3 along = normal * normal.transpose();
+    g.volume = part.volume;
+    g.centroid = -(height + part.centroid) * normal;
+    g.area = pi * depth * (2 * a.radius - depth);
+    g.area_vector = -g.area * normal;
+    g.first_moment = g.volume * Mat3::Identity() - g.area * part.centroid * along;
+    follow_centre(g, 2 * pi * height * along, Mat3::Zero());
+    return true;
+}
+
+bool overlap_lens(const Sphere& a, const Pose& pose_a, const Sphere& b, const Pose& pose_b,
+                  ContactGeometry& g) {
+    const Vec3 apart = pose_a.position - pose_b.position;
+    const double distance = apart.norm();
+    const double depth = a.radius + b.radius - distance;
+    if (!(depth > 0)) {
+        return false;
+    }
+    const double smaller = std::min(a.radius, b.radius);
+    g = ContactGeometry{};
+    g.normal = distance > 0 ? Vec3(apart / distance) : Vec3::UnitZ();
+    g.depth = std::min(depth, 2 * smaller);
+    const Mat3 along = g.normal * g.normal.transpose();
+    const Mat3 turning =
+        distance > 1e-6 * smaller ? Mat3((Mat3::Identity() - along) / distance) : Mat3(Mat3::Zero());
+    if (distance <= std::abs(a.radius - b.radius)) {
+        const bool is_a = a.radius <= b.radius;
+        fill_whole(g, smaller, is_a ? Vec3(Vec3::Zero()) : Vec3(-apart), is_a);
+        follow_centre(g, Mat3::Zero(), turning);
+        return true;
+    }
+    // The plane of the circle where the spheres meet, at `to_plane` from A's centre, parts the lens into two
+    // caps.
+    const double difference = (a.radius - b.radius) * (a.radius + b.radius) / distance;
+    const double to_plane = 0.5 * (distance + difference);
+    const Cap of_a(a.radius, a.radius - to_plane);
+    const Cap of_b(b.radius, b.radius - (distance - to_plane));
+    g.volume = of_a.volume + of_b.volume;
+    const double beyond = (of_a.volume * of_a.centroid - of_b.volume * of_b.centroid) / g.volume;
+    g.centroid = -(to_plane + beyond) * g.normal;
+    g.area = pi * (a.radius - to_plane) * (a.radius + to_plane);
+    g.area_vector = -g.area * g.normal;
+    // A's cap and its flat disc enclose of_a.volume; the disc, facing A, takes its share of ∫ r nᵀ away.
+    g.first_moment = of_a.volume * Mat3::Identity() - g.area * beyond * along;
+    const double area_rate = -pi * to_plane * (1 - difference / distance);
+    follow_centre(g, -area_rate * along - g.area * turning, turning);
+    return true;
+}
+
+}  // namespace scree
