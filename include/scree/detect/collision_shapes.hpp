@@ -1,0 +1,25 @@
+#pragma once
+
+#include <btBulletCollisionCommon.h>
+
+#include <memory>
+
+#include <scree/overlap/shape.hpp>
+
+namespace scree {
+
+/// A convex polyhedron as a Bullet shape: no margin, and the tightest bounds.
+class PolyhedronShape : public btConvexHullShape {
+  public:
+    explicit PolyhedronShape(std::shared_ptr<const Shape> shape);
+
+    /// The exact polyhedron, in the frame of the Bullet shape.
+    [[nodiscard]] const std::shared_ptr<const Shape>& exact() const { return shape_; }
+
+    void getAabb(const btTransform& transform, btVector3& low, btVector3& high) const override;
+
+  private:
+    std::shared_ptr<const Shape> shape_;
+};
+
+}  // namespace scree

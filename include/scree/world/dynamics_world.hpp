@@ -1,0 +1,79 @@
+#pragma once
+
+#include <btBulletDynamicsCommon.h>
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include <scree/bdf/stepper.hpp>
+#include <scree/contact/material.hpp>
+#include <scree/world/step_report.hpp>
+
+static_assert(sizeof(btScalar) == 8, "scree needs Bullet's double-precision build");
+
+namespace scree {
+
+class WorldImplementation;
+
+/// A Bullet world whose contacts are forces: Bullet finds the pairs, the overlap of the exact shapes gives
+/// the force, and an implicit, error-controlled method of the BDF family steps the bodies. Construct it where
+/// a btDiscreteDynamicsWorld stood.
+///
+/// One tick is one fixed step of stepSimulation; within it the method takes as many steps as it needs,
+/// keeping its history over the tick's end. Forces set from outside are constant within a tick; a pose or
+/// velocity set from outside starts the method afresh.
+class DynamicsWorld : public btDiscreteDynamicsWorld {
+  public:
+    /// As btDiscreteDynamicsWorld; the solver is not used and may be null.
+    DynamicsWorld(btDispatcher* dispatcher, btBroadphaseInterface* pairs, btConstraintSolver* solver,
+                  btCollisionConfiguration* configuration);
+    ~DynamicsWorld() override;
+    DynamicsWorld(const DynamicsWorld&) = delete;
+    DynamicsWorld& operator=(const DynamicsWorld&) = delete;
+
+    /// How the steps are made; takes effect with the next tick, at order 1.
+    void set_stepping(const SteppingOptions& options);
+
+    /// What a body is made of. A body without one gets what its Bullet friction, restitution and mass
+    /// suggest.
+    void set_material(const btRigidBody& body, const Material& material);
+    [[nodiscard]] Material material(const btRigidBody& body) const;
+    /// Overrides the mixing rules: called with the two materials, in the order of the bodies.
+    using Mixing =
+        std::function<PairMaterial(const btRigidBody&, const Material&, const btRigidBody&, const Material&)>;
+    void set_mixing(Mixing mixing);
+
+    /// Replaces the contact law by any type that models scree::ContactLaw.
+    template <ContactLaw Law>
+    void set_contact_law(Law law) {
+        set_forces(std::make_unique<ForcesOf<Law>>(std::move(law)));
+    }
+    void set_forces(std::unique_ptr<ContactForces> forces);
+
+    /// What the ticks so far have done, and why the last one stopped if it did.
+    [[nodiscard]] const StepReport& step_report() const;
+
+    /// The bodies, states and contacts as of the end of the last tick; body numbers are those of
+    /// body_number().
+    [[nodiscard]] const System& system() const;
+    /// What each of system().contacts did at the last accepted step.
+    [[nodiscard]] std::span<const ContactResult> contact_results() const;
+    /// The place of a body in system(), −1 for one that is not in this world.
+    [[nodiscard]] int body_number(const btRigidBody& body) const;
+
+    /// Joints are not done: throws std::invalid_argument.
+    void addConstraint(btTypedConstraint* constraint, bool disable_collisions = false) override;
+    /// Refuses shapes that have no overlap: throws std::invalid_argument, and the body is not added.
+    void addRigidBody(btRigidBody* body) override;
+    void addRigidBody(btRigidBody* body, int group, int mask) override;
+    void removeRigidBody(btRigidBody* body) override;
+
+  protected:
+    void internalSingleStepSimulation(btScalar tick) override;
+
+  private:
+    std::unique_ptr<WorldImplementation> implementation_;
+};
+
+}  // namespace scree
