@@ -57,37 +57,20 @@ Newton::Outcome Newton::iterate(StepProblem& problem, std::span<const Body> bodi
     ++age_;
     double last = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < most; ++i) {
-        if (!fresh && problem.states_changed()) {
-            if (!refresh(problem, u)) {
-                return Outcome::failed;
-            }
-        }
+        if (!fresh && problem.states_changed() && !refresh(problem, u)) { return Outcome::failed; }
         direction_ = -problem.residual();
         problem.solve(direction_);
-        if (!direction_.allFinite()) {
-            return Outcome::failed;
-        }
-        const double slope = problem.residual().dot(direction_);
+        if (!direction_.allFinite()) { return Outcome::failed; }
         ++statistics_.iterations;
-        const double share = i < full_steps ? 1 : search(problem, u, direction_, slope);
+        const double share = i < full_steps ? 1 : search(problem, u, direction_);
         u += share * direction_;
         problem.evaluate(u, Detail::force);
-        const double size = share * step_norm(problem, bodies, gravity, direction_);
-        if (!std::isfinite(size)) {
-            return Outcome::failed;
-        }
-        const double ratio = size / last;
-        if (share == 1 && size * std::min(1.0, 3 * ratio) <= tolerance && !problem.states_changed()) {
-            return Outcome::converged;
-        }
-        fresh = false;
-        if (ratio > slow || share < 1) {
-            if (!refresh(problem, u)) {
-                return Outcome::failed;
-            }
-            fresh = true;
-        }
-        last = size;
+        const double defect = defect_norm(problem, bodies, gravity);
+        if (defect <= tolerance) { return Outcome::converged; }
+        if (!std::isfinite(defect)) { return Outcome::failed; }
+        fresh = defect > slow * last || share < 1;
+        if (fresh && !refresh(problem, u)) { return Outcome::failed; }
+        last = defect;
     }
     return Outcome::failed;
 }
@@ -107,10 +90,9 @@ bool Newton::refresh(StepProblem& problem, const Eigen::VectorXd& u) {
     return factorized_;
 }
 
-// The share of the direction where R·du vanishes, by regula falsi between its ends, or 1 while it has not
-// passed.
-double Newton::search(StepProblem& problem, const Eigen::VectorXd& u, const Eigen::VectorXd& direction,
-                      double slope) {
+// The share of the direction where R·du vanishes, by regula falsi between its ends, or 1 while it has not passed.
+double Newton::search(StepProblem& problem, const Eigen::VectorXd& u, const Eigen::VectorXd& direction) {
+    const double slope = problem.residual().dot(direction);
     const auto slope_at = [&](double share) {
         trial_ = u + share * direction;
         problem.evaluate(trial_, Detail::force);
@@ -120,35 +102,33 @@ double Newton::search(StepProblem& problem, const Eigen::VectorXd& u, const Eige
     double low_slope = slope;
     double high = 1;
     double high_slope = slope_at(high);
-    if (!(slope < 0) || high_slope <= steep * std::abs(slope)) {
-        return 1;
-    }
+    if (!(slope < 0) || high_slope <= steep * std::abs(slope)) { return 1; }
     double share = high;
     for (int i = 0; i < most_searches; ++i) {
         share = low + (high - low) * std::clamp(-low_slope / (high_slope - low_slope), 0.1, 0.9);
         const double at = slope_at(share);
-        if (std::abs(at) <= steep * std::abs(slope)) {
-            break;
-        }
+        if (std::abs(at) <= steep * std::abs(slope)) { break; }
         (at < 0 ? low : high) = share;
         (at < 0 ? low_slope : high_slope) = at;
     }
     return share;
 }
 
-double Newton::step_norm(const StepProblem& problem, std::span<const Body> bodies, double gravity,
-                         const Eigen::VectorXd& step) {
+// The residual as the velocities that it leaves unexplained. It bounds the error of u, which the stiffness divides,
+// and the error of the momenta, which take the forces as they are.
+double Newton::defect_norm(const StepProblem& problem, std::span<const Body> bodies, double gravity) {
     const ErrorScale scale(bodies, problem.trial(), gravity);
-    const double beta_h = problem.formulas().beta_h;
     double largest = 0;
     for (std::size_t b = 0; b < bodies.size(); ++b) {
-        if (!bodies[b].dynamic()) {
-            continue;
-        }
+        if (!bodies[b].dynamic()) { continue; }
         const auto row = static_cast<Eigen::Index>(6 * b);
-        const Vec3 v = step.segment<3>(row);
-        const Vec3 w = step.segment<3>(row + 3);
-        largest = std::max(largest, scale.norm(b, {beta_h * v, beta_h * w, v, w}));
+        BodyState defect;
+        defect.orientation = problem.trial()[b].pose.orientation;
+        defect.momentum = problem.residual().segment<3>(row);
+        defect.angular_momentum = problem.residual().segment<3>(row + 3);
+        const double size =
+            scale.norm(b, {Vec3::Zero(), Vec3::Zero(), velocity(bodies[b], defect), spin(bodies[b], defect)});
+        largest = size <= largest ? largest : size;
     }
     return largest;
 }

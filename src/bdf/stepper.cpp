@@ -15,7 +15,7 @@ constexpr std::array<double, highest_order> most_growth{10, 2, 1.4, 1.4,
                                                         1.4};  // keeps the formula zero-stable
 constexpr double most_shrink = 0.2;
 constexpr double newton_shrink = 0.25;
-constexpr double newton_share = 0.1;      // of the error tolerance, left to Newton's iteration
+constexpr double newton_share = 0.01;     // of the error tolerance, left to Newton's iteration
 constexpr double smallest_share = 1e-9;   // of a tick, below which a step is not tried
 constexpr double first_share = 1e-3;      // of the time to fall or move by one's own radius
 constexpr std::size_t most_failures = 3;  // before order 1

@@ -36,6 +36,7 @@ void StepProblem::sum_forces() {
         force_[b] = system_.bodies[b].force;
         torque_[b] = system_.bodies[b].torque;
     }
+    touched_.assign(trial_.size(), false);
     for (std::size_t i = 0; i < results_.size(); ++i) {
         const ContactResult& result = results_[i];
         if (result.law.state == ContactState::open) {
@@ -43,6 +44,7 @@ void StepProblem::sum_forces() {
         }
         const auto a = static_cast<std::size_t>(system_.contacts[i].a.body);
         const auto b = static_cast<std::size_t>(system_.contacts[i].b.body);
+        touched_[a] = touched_[b] = true;
         force_[a] += result.law.force;
         force_[b] -= result.law.force;
         torque_[a] += result.moment_a;
@@ -90,13 +92,18 @@ bool StepProblem::factorize() {
 void StepProblem::new_states(std::vector<BodyState>& states) const {
     states = system_.states;
     for (std::size_t b = 0; b < trial_.size(); ++b) {
-        states[b].position = trial_[b].pose.position;
-        states[b].orientation = trial_[b].pose.orientation;
-        if (!system_.bodies[b].dynamic()) {
-            continue;
+        const Body& body = system_.bodies[b];
+        const TrialBody& trial = trial_[b];
+        states[b].position = trial.pose.position;
+        states[b].orientation = trial.pose.orientation;
+        if (!body.dynamic()) { continue; }
+        if (touched_[b]) {
+            states[b].momentum = body.mass * trial.velocity;
+            states[b].angular_momentum = world_inertia(body, trial.pose.orientation) * trial.spin;
+        } else {
+            states[b].momentum = starts_[b].momentum + formulas_.beta_h * force_[b];
+            states[b].angular_momentum = starts_[b].angular_momentum + formulas_.beta_h * torque_[b];
         }
-        states[b].momentum = starts_[b].momentum + formulas_.beta_h * force_[b];
-        states[b].angular_momentum = starts_[b].angular_momentum + formulas_.beta_h * torque_[b];
     }
 }
 

@@ -33,10 +33,8 @@ class Newton {
                     std::size_t most, Eigen::VectorXd& u);
     bool refresh(StepProblem& problem, const Eigen::VectorXd& u);
     bool stale(const StepProblem& problem) const;
-    double search(StepProblem& problem, const Eigen::VectorXd& u, const Eigen::VectorXd& direction,
-                  double slope);
-    static double step_norm(const StepProblem& problem, std::span<const Body> bodies, double gravity,
-                            const Eigen::VectorXd& step);
+    double search(StepProblem& problem, const Eigen::VectorXd& u, const Eigen::VectorXd& direction);
+    static double defect_norm(const StepProblem& problem, std::span<const Body> bodies, double gravity);
 
     NewtonStatistics statistics_;
     bool factorized_ = false;

@@ -40,8 +40,9 @@ class StepProblem {
     /// x := J⁻¹ x with the last factorisation.
     void solve(Eigen::VectorXd& x) const { jacobian_.solve(x); }
 
-    /// The bodies' states at the last evaluation; momenta take the forces of that very evaluation, so that no
-    /// solver's residual leaks into them.
+    /// The bodies' states at the last evaluation. A body that nothing touches takes its momenta from the forces, so
+    /// that they are kept to rounding; one in contact takes them from its velocities, because the force carries the
+    /// solver's residual multiplied by the contact's stiffness.
     void new_states(std::vector<BodyState>& states) const;
 
     [[nodiscard]] const StepFormulas& formulas() const { return formulas_; }
@@ -65,6 +66,7 @@ class StepProblem {
     std::vector<ContactResult> results_;
     std::vector<ContactState> factorized_states_;
     std::vector<Vec3> force_, torque_;
+    std::vector<bool> touched_;  ///< by a contact with a force
     Eigen::VectorXd residual_;
     Jacobian jacobian_;
     std::size_t evaluations_ = 0;
