@@ -1,0 +1,106 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <scree/contact/material.hpp>
+#include <scree/overlap/shape.hpp>
+#include <scree/scenes/scene_options.hpp>
+
+namespace scree {
+
+struct MaterialDescription : Material {
+    bool patch_torsion = false;              ///< friction on points of the patch instead of the limit surface
+    double cohesion = 0;                     ///< pull-off force [N]
+    double rolling_friction = 0;             ///< dimensionless
+    std::optional<double> kinetic_friction;  ///< μ while sliding, where it differs
+};
+
+/// Replaces those of the mixed constants of two materials that it names.
+struct PairDescription {
+    std::array<std::string, 2> materials;
+    std::optional<double> youngs_modulus;  ///< [Pa]
+    std::optional<double> friction, normal_damping, tangential_damping, tangential_ratio;
+    std::optional<bool> torsion;
+    bool patch_torsion = false;
+    std::optional<double> cohesion, rolling_friction, kinetic_friction;
+};
+
+enum class Parts {
+    hull,       ///< the mesh's convex hull
+    decompose,  ///< convex pieces that together come near the mesh
+    files,      ///< one convex part a file
+};
+
+struct MeshShape {
+    std::filesystem::path file;  ///< relative to the scene's file
+    Vec3 scale = Vec3::Ones();
+    Parts parts = Parts::hull;
+    std::vector<std::filesystem::path> part_files;
+};
+
+struct BoxShape {
+    Vec3 edges = Vec3::Zero();  ///< [m], full lengths
+};
+
+using ShapeDescription = std::variant<MeshShape, BoxShape, Sphere, HalfSpace>;
+
+/// A motion that forces do not change. All in world axes.
+struct PrescribedMotion {
+    Vec3 velocity = Vec3::Zero();          ///< [m/s]
+    Vec3 angular_velocity = Vec3::Zero();  ///< [rad/s]
+    Vec3 about = Vec3::Zero();             ///< [m], a point of the axis of turning
+    double amplitude = 0;                  ///< [m], of a vibration along the velocity's direction
+    double frequency = 0;                  ///< [1/s]
+    Vec3 surface_velocity = Vec3::Zero();  ///< [m/s], of a conveyor's surface
+};
+struct DynamicMotion {};
+struct FixedMotion {};
+using MotionDescription = std::variant<DynamicMotion, FixedMotion, PrescribedMotion>;
+
+/// Position, orientation and velocities are those of the shape's own frame (of the file's, for a mesh).
+struct BodyDescription {
+    std::string name;  ///< empty: by shape and number
+    std::string shape;
+    std::string material;
+    Vec3 position = Vec3::Zero();          ///< [m]
+    Quat orientation = Quat::Identity();   ///< unit
+    Vec3 velocity = Vec3::Zero();          ///< [m/s], of the frame's origin
+    Vec3 angular_velocity = Vec3::Zero();  ///< [rad/s], world axes
+    MotionDescription motion;
+};
+
+/// Bodies placed at random, without overlap, wholly inside a box.
+struct FillDescription {
+    std::string shape;
+    std::string material;
+    std::size_t count = 0;
+    std::array<double, 2> size{1, 1};  ///< least and largest factor on the shape's lengths
+    Vec3 low = Vec3::Zero();           ///< [m], corners of the box
+    Vec3 high = Vec3::Zero();          ///< [m]
+    std::uint64_t seed = 1;
+};
+
+/// All that a scene file says, with the defaults of what it leaves out.
+struct SceneDescription {
+    std::string name;            ///< of the scene
+    std::filesystem::path file;  ///< where it was read; meshes are found beside it
+    Vec3 gravity{0, 0, -9.81};   ///< [m/s²]
+    std::map<std::string, MaterialDescription> materials;
+    std::vector<PairDescription> pairs;
+    std::map<std::string, ShapeDescription> shapes;
+    std::vector<BodyDescription> bodies;
+    std::vector<FillDescription> fill;
+    LawDescription law;
+    SteppingDescription stepping;
+    double end_time = 0;  ///< [s]
+    OutputDescription output;
+};
+
+}  // namespace scree

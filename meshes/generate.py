@@ -1,0 +1,143 @@
+#!/usr/bin/env python3
+"""Writes the meshes of this folder: ./generate.py
+
+Every solid is convex and closed, its triangles counter-clockwise from outside, in metres. The stones are hulls of
+random points; their seeds stand below. Python's random() gives the same numbers everywhere.
+"""
+import itertools
+import math
+import pathlib
+import random
+
+FOLDER = pathlib.Path(__file__).resolve().parent
+GOLDEN = (1 + math.sqrt(5)) / 2
+
+
+def subtract(a, b):
+    return [x - y for x, y in zip(a, b)]
+
+
+def cross(a, b):
+    return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+
+
+def dot(a, b):
+    return sum(x * y for x, y in zip(a, b))
+
+
+def hull_faces(points):
+    """The faces of the hull as loops of point numbers: every plane through three points with none outside."""
+    size = max(math.dist(p, points[0]) for p in points)
+    faces = set()
+    for i, j, k in itertools.combinations(range(len(points)), 3):
+        normal = cross(subtract(points[j], points[i]), subtract(points[k], points[i]))
+        length = math.sqrt(dot(normal, normal))
+        if length < 1e-9 * size**2:
+            continue
+        heights = [dot(normal, subtract(p, points[i])) / length for p in points]
+        if min(heights) < -1e-9 * size < 1e-9 * size < max(heights):
+            continue
+        if max(heights) > 1e-9 * size:
+            normal = [-x for x in normal]
+        on = [n for n, h in enumerate(heights) if abs(h) <= 1e-9 * size]
+        faces.add(sorted_loop(points, on, normal))
+    return sorted(faces)
+
+
+def sorted_loop(points, face, normal):
+    """The points of a face counter-clockwise about its normal, the smallest number first."""
+    centre = [sum(points[n][axis] for n in face) / len(face) for axis in range(3)]
+    first = subtract(points[face[0]], centre)
+    second = cross(normal, first)
+    scale = math.sqrt(dot(normal, normal))
+
+    def angle(n):
+        ray = subtract(points[n], centre)
+        return math.atan2(dot(ray, second) / scale, dot(ray, first)) % (2 * math.pi)
+
+    loop = sorted(face, key=angle)
+    start = loop.index(min(loop))
+    return tuple(loop[start:] + loop[:start])
+
+
+def write(name, points, comment):
+    faces = hull_faces(points)
+    used = sorted({n for face in faces for n in face})
+    number = {n: i + 1 for i, n in enumerate(used)}
+    lines = [f"# {comment}", f"o {name}"]
+    lines += ["v " + " ".join(f"{round(x, 9) + 0.0:.9g}" for x in points[n]) for n in used]
+    for loop in faces:
+        lines += [f"f {number[loop[0]]} {number[a]} {number[b]}" for a, b in zip(loop[1:], loop[2:])]
+    (FOLDER / f"{name}.obj").write_text("\n".join(lines) + "\n")
+
+
+def box(x, y, low, high):
+    return [[sx * x / 2, sy * y / 2, z] for z in (low, high) for sy in (-1, 1) for sx in (-1, 1)]
+
+
+def prism(sides, radius, height):
+    turns = [2 * math.pi * i / sides for i in range(sides)]
+    return [[radius * math.cos(t), radius * math.sin(t), z] for z in (-height / 2, height / 2) for t in turns]
+
+
+def even_permutations(points):
+    return [p[i:] + p[:i] for p in points for i in range(3)]
+
+
+def signs(a, b, c):
+    return [[x, y, z] for x in {a, -a} for y in {b, -b} for z in {c, -c}]
+
+
+def edge_one(points):
+    shortest = min(math.dist(a, b) for a, b in itertools.combinations(points, 2))
+    return sorted([x / shortest for x in p] for p in points)
+
+
+def rounded(points):
+    return [[round(x, 4) for x in p] for p in points]
+
+
+def stone(seed, count, axes):
+    """Points spread over an ellipsoid: each the one of 20 tries that is farthest from those before it."""
+    draw = random.Random(seed)
+
+    def direction():
+        while True:
+            p = [2 * draw.random() - 1 for _ in range(3)]
+            if 0.1 < dot(p, p) <= 1:
+                return [x / math.sqrt(dot(p, p)) for x in p]
+
+    points = [direction()]
+    while len(points) < count:
+        points.append(max((direction() for _ in range(20)), key=lambda p: min(math.dist(p, q) for q in points)))
+    radii = [0.85 + 0.15 * draw.random() for _ in points]
+    return rounded([[r * x * a / 2 for x, a in zip(p, axes)] for p, r in zip(points, radii)])
+
+
+def flat_stone(seed):
+    """A base in the plane z = 0, a wider rim above it, and a low top."""
+    draw = random.Random(seed)
+
+    def ring(sides, x, y, z, tilt):
+        turns = [2 * math.pi * (i + 0.5 * draw.random()) / sides for i in range(sides)]
+        return [[x * math.cos(t), y * math.sin(t), z + tilt * (2 * draw.random() - 1)] for t in turns]
+
+    return rounded(ring(7, 0.42, 0.33, 0, 0) + ring(9, 0.5, 0.4, 0.1, 0.02) + ring(5, 0.28, 0.2, 0.24, 0.02))
+
+
+def main():
+    write("cube", box(1, 1, -0.5, 0.5), "cube of edge 1 about the origin")
+    write("slab", box(1, 1, -0.1, 0), "slab 1 by 1 by 0.1, its top in the plane z = 0")
+    write("hexagonal_prism", prism(6, 0.5, 0.6), "hexagonal prism of edge 0.5 and height 0.6 along z, about the origin")
+    write("tetrahedron", edge_one([[1, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1]]), "tetrahedron of edge 1")
+    write("octahedron", edge_one(signs(1, 0, 0) + signs(0, 1, 0) + signs(0, 0, 1)), "octahedron of edge 1")
+    write("icosahedron", edge_one(even_permutations(signs(0, 1, GOLDEN))), "icosahedron of edge 1")
+    write("dodecahedron", edge_one(signs(1, 1, 1) + even_permutations(signs(0, 1 / GOLDEN, GOLDEN))), "dodecahedron of edge 1")
+    write("flat_stone", flat_stone(11), "low convex stone on a flat base, seed 11")
+    write("stone_a", stone(1, 14, (1, 0.9, 0.8)), "convex stone, hull of 14 points, seed 1")
+    write("stone_b", stone(2, 18, (1, 0.75, 0.65)), "convex stone, hull of 18 points, seed 2")
+    write("stone_c", stone(3, 22, (1, 0.85, 0.6)), "convex stone, hull of 22 points, seed 3")
+
+
+if __name__ == "__main__":
+    main()

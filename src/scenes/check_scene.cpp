@@ -1,0 +1,92 @@
+#include <set>
+
+#include <scree/scenes/read_scene.hpp>
+
+#include "body_names.hpp"
+#include "json_text.hpp"
+
+namespace scree {
+
+namespace {
+
+constexpr std::size_t most_bodies = 1'000'000;
+constexpr double most_rows = 1e9;
+
+template <class Named>
+void require_name(const Named& named, const std::string& name, const std::string& place, const char* what) {
+    if (!named.contains(name)) {
+        throw SceneError(place, in_quotes(name), std::string("the name of a ") + what);
+    }
+}
+
+void check_pairs(const SceneDescription& scene) {
+    std::set<std::set<std::string>> seen;
+    for (std::size_t i = 0; i < scene.pairs.size(); ++i) {
+        const std::string place = "pairs." + std::to_string(i) + ".materials";
+        const auto& [a, b] = scene.pairs[i].materials;
+        require_name(scene.materials, a, place + ".0", "material");
+        require_name(scene.materials, b, place + ".1", "material");
+        if (!seen.insert({a, b}).second) {
+            throw SceneError(place, in_quotes(a) + " and " + in_quotes(b) + " again", "one entry a pair");
+        }
+    }
+}
+
+void check_bodies(const SceneDescription& scene) {
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+        const BodyDescription& body = scene.bodies[i];
+        const std::string place = "bodies." + std::to_string(i);
+        require_name(scene.shapes, body.shape, place + ".shape", "shape");
+        require_name(scene.materials, body.material, place + ".material", "material");
+        if (std::holds_alternative<HalfSpace>(scene.shapes.at(body.shape)) &&
+            std::holds_alternative<DynamicMotion>(body.motion)) {
+            throw SceneError(place + ".motion", "a half-space that is dynamic", "\"fixed\" or an object");
+        }
+    }
+}
+
+void check_fill(const SceneDescription& scene) {
+    for (std::size_t i = 0; i < scene.fill.size(); ++i) {
+        const FillDescription& fill = scene.fill[i];
+        const std::string place = "fill." + std::to_string(i);
+        require_name(scene.shapes, fill.shape, place + ".shape", "shape");
+        require_name(scene.materials, fill.material, place + ".material", "material");
+        if (std::holds_alternative<HalfSpace>(scene.shapes.at(fill.shape))) {
+            throw SceneError(place + ".shape", in_quotes(fill.shape) + ", a half-space", "a bounded shape");
+        }
+    }
+}
+
+void check_size(const SceneDescription& scene) {
+    std::size_t bodies = scene.bodies.size();
+    for (const FillDescription& fill : scene.fill) {
+        bodies += fill.count;
+    }
+    if (bodies == 0) {
+        throw SceneError("", "no bodies", "at least one in \"bodies\" or \"fill\"");
+    }
+    if (bodies > most_bodies) {
+        throw SceneError("fill", std::to_string(bodies) + " bodies",
+                         std::to_string(most_bodies) + " at most");
+    }
+    const double ticks = scene.end_time / scene.output.every;
+    if (ticks * static_cast<double>(scene.output.bodies ? bodies : 1) > most_rows) {
+        throw SceneError("output.every", "more than 1e9 rows to write", "a longer time between outputs");
+    }
+}
+
+}  // namespace
+
+void check_scene(const SceneDescription& scene) {
+    try {
+        check_pairs(scene);
+        check_bodies(scene);
+        check_fill(scene);
+        check_size(scene);
+        body_names(scene);
+    } catch (const SceneError& error) {
+        throw error.in_file(scene.file.string());
+    }
+}
+
+}  // namespace scree

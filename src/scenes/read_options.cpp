@@ -1,0 +1,114 @@
+#include "readers.hpp"
+#include "values.hpp"
+
+namespace scree {
+
+namespace {
+
+constexpr double default_bullet_step = 1.0 / 240;  // s
+
+constexpr Choice<NormalLaw> normal_laws[] = {
+    {"volume", NormalLaw::volume}, {"manifold", NormalLaw::manifold}, {"energy", NormalLaw::energy}};
+constexpr Choice<FrictionLaw> friction_laws[] = {{"cundall_strack", FrictionLaw::cundall_strack},
+                                                 {"cundall_strack_2d", FrictionLaw::cundall_strack_2d},
+                                                 {"viscous", FrictionLaw::viscous},
+                                                 {"none", FrictionLaw::none}};
+constexpr Choice<DampingPlace> damping_places[] = {{"patch", DampingPlace::patch},
+                                                   {"centroid", DampingPlace::centroid}};
+constexpr Choice<TangentialStiffness> stiffnesses[] = {{"length", TangentialStiffness::length},
+                                                       {"patch", TangentialStiffness::patch},
+                                                       {"no_length", TangentialStiffness::no_length}};
+constexpr Choice<ReducedMass> reduced_masses[] = {
+    {"point", ReducedMass::point}, {"round", ReducedMass::round}, {"exact", ReducedMass::exact}};
+
+using L = LawDescription;
+constexpr Field<L> law_fields[] = {
+    {"normal", into<&L::normal, choice<normal_laws>>},
+    {"friction", into<&L::friction, choice<friction_laws>>},
+    {"damping", into<&L::damping, choice<damping_places>>},
+    {"tangential_stiffness", into<&L::tangential_stiffness, choice<stiffnesses>>},
+    {"co_rotation", into<&L::co_rotation, flag>},
+    {"reduced_mass", into<&L::reduced_mass, choice<reduced_masses>>},
+};
+
+constexpr Choice<Method> methods[] = {{"bdf", Method::bdf},
+                                      {"verlet", Method::verlet},
+                                      {"symplectic_euler", Method::symplectic_euler},
+                                      {"bullet", Method::bullet}};
+constexpr Choice<SolverChoice> solvers[] = {{"auto", SolverChoice::automatic},
+                                            {"newton", SolverChoice::newton},
+                                            {"fixed_point", SolverChoice::fixed_point}};
+
+int order(const Node& node) {
+    if (!node.value().is_number_unsigned() || node.value() < 1U || node.value() > 5U) {
+        node.refuse("a whole number from 1 to 5");
+    }
+    return node.value().get<int>();
+}
+
+int iterations(const Node& node) {
+    constexpr unsigned most = 1'000'000;
+    if (!node.value().is_number_unsigned() || node.value() < 1U || node.value() > most) {
+        node.refuse("a whole number from 1 to " + std::to_string(most));
+    }
+    return node.value().get<int>();
+}
+
+void read_step(const Node& node, SteppingDescription& stepping) {
+    if (node.value() == "adaptive") {
+        stepping.step.reset();
+    } else if (node.value().is_string()) {
+        node.refuse("\"adaptive\" or a number above 0");
+    } else {
+        stepping.step = positive(node);
+    }
+}
+
+using S = SteppingDescription;
+constexpr Field<S> stepping_fields[] = {
+    {"method", into<&S::method, choice<methods>>},
+    {"max_order", into<&S::max_order, order>},
+    {"step", read_step},
+    {"rtol", into<&S::rtol, fraction>},
+    {"atol", into<&S::atol, fraction>},
+    {"solver", into<&S::solver, choice<solvers>>},
+    {"iterations", into<&S::iterations, iterations>},
+};
+
+using O = OutputDescription;
+constexpr Field<O> output_fields[] = {
+    {"every", into<&O::every, positive>},
+    {"bodies", into<&O::bodies, flag>},
+    {"energy", into<&O::energy, flag>},
+    {"contacts", into<&O::contacts, flag>},
+    {"replay", into<&O::replay, flag>},
+    {"vtk", into<&O::vtk, flag>},
+    {"checkpoint_every", into<&O::checkpoint_every, not_negative>},
+};
+
+}  // namespace
+
+void read_law(const Node& node, LawDescription& law) {
+    read_fields(node, law_fields, law);
+}
+
+void read_stepping(const Node& node, SteppingDescription& stepping) {
+    read_fields(node, stepping_fields, stepping);
+    const bool explicit_method =
+        stepping.method == Method::verlet || stepping.method == Method::symplectic_euler;
+    if (explicit_method && !stepping.step) {
+        node.refuse("no fixed step", "\"step\": a number of seconds, which this method needs");
+    }
+    if (stepping.method == Method::bullet && !stepping.step) {
+        stepping.step = default_bullet_step;
+    }
+    if (stepping.method != Method::bullet && node.value().contains("iterations")) {
+        Node(node, "iterations").refuse("it only with \"method\": \"bullet\"");
+    }
+}
+
+void read_output(const Node& node, OutputDescription& output) {
+    read_fields(node, output_fields, output);
+}
+
+}  // namespace scree
