@@ -21,6 +21,7 @@ constexpr double caps[] = {0.3, 1, 3, 10, 30};
 bool Newton::solve(StepProblem& problem, std::span<const Body> bodies, double gravity, double tolerance,
                    Eigen::VectorXd& u) {
     const Eigen::VectorXd predicted = u;
+    effort_ = 0;
     if (iterate(problem, bodies, gravity, tolerance, most_iterations, u) == Outcome::converged) {
         return true;
     }
@@ -45,31 +46,34 @@ bool Newton::solve(StepProblem& problem, std::span<const Body> bodies, double gr
 
 Newton::Outcome Newton::iterate(StepProblem& problem, std::span<const Body> bodies, double gravity,
                                 double tolerance, std::size_t most, Eigen::VectorXd& u) {
-    bool fresh = false;
-    if (stale(problem)) {
-        if (!refresh(problem, u)) {
+    bool anew = stale(problem);
+    double last = std::numeric_limits<double>::infinity();
+    problem.evaluate(u, anew ? Detail::derivative : Detail::force);
+    ++age_;
+    for (std::size_t i = 0; i < most; ++i) {
+        anew = anew || problem.states_changed();
+        if (anew && !refresh(problem, u)) {
             return Outcome::failed;
         }
-        fresh = true;
-    } else {
-        problem.evaluate(u, Detail::force);
-    }
-    ++age_;
-    double last = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < most; ++i) {
-        if (!fresh && problem.states_changed() && !refresh(problem, u)) { return Outcome::failed; }
         direction_ = -problem.residual();
         problem.solve(direction_);
-        if (!direction_.allFinite()) { return Outcome::failed; }
+        if (!direction_.allFinite()) {
+            return Outcome::failed;
+        }
         ++statistics_.iterations;
+        ++effort_;
         const double share = i < full_steps ? 1 : search(problem, u, direction_);
         u += share * direction_;
-        problem.evaluate(u, Detail::force);
+        // Who had to renew the matrix once will probably have to again.
+        problem.evaluate(u, anew ? Detail::derivative : Detail::force);
         const double defect = defect_norm(problem, bodies, gravity);
-        if (defect <= tolerance) { return Outcome::converged; }
-        if (!std::isfinite(defect)) { return Outcome::failed; }
-        fresh = defect > slow * last || share < 1;
-        if (fresh && !refresh(problem, u)) { return Outcome::failed; }
+        if (defect <= tolerance) {
+            return Outcome::converged;
+        }
+        if (!std::isfinite(defect)) {
+            return Outcome::failed;
+        }
+        anew = defect > slow * last || share < 1;
         last = defect;
     }
     return Outcome::failed;
@@ -81,7 +85,9 @@ bool Newton::stale(const StepProblem& problem) const {
 }
 
 bool Newton::refresh(StepProblem& problem, const Eigen::VectorXd& u) {
-    problem.evaluate(u, Detail::derivative);
+    if (problem.detail() != Detail::derivative) {
+        problem.evaluate(u, Detail::derivative);
+    }
     ++statistics_.jacobians;
     ++statistics_.factorizations;
     factorized_ = problem.factorize();
@@ -90,7 +96,8 @@ bool Newton::refresh(StepProblem& problem, const Eigen::VectorXd& u) {
     return factorized_;
 }
 
-// The share of the direction where R·du vanishes, by regula falsi between its ends, or 1 while it has not passed.
+// The share of the direction where R·du vanishes, by regula falsi between its ends, or 1 while it has not
+// passed.
 double Newton::search(StepProblem& problem, const Eigen::VectorXd& u, const Eigen::VectorXd& direction) {
     const double slope = problem.residual().dot(direction);
     const auto slope_at = [&](double share) {
@@ -102,25 +109,31 @@ double Newton::search(StepProblem& problem, const Eigen::VectorXd& u, const Eige
     double low_slope = slope;
     double high = 1;
     double high_slope = slope_at(high);
-    if (!(slope < 0) || high_slope <= steep * std::abs(slope)) { return 1; }
+    if (!(slope < 0) || high_slope <= steep * std::abs(slope)) {
+        return 1;
+    }
     double share = high;
     for (int i = 0; i < most_searches; ++i) {
         share = low + (high - low) * std::clamp(-low_slope / (high_slope - low_slope), 0.1, 0.9);
         const double at = slope_at(share);
-        if (std::abs(at) <= steep * std::abs(slope)) { break; }
+        if (std::abs(at) <= steep * std::abs(slope)) {
+            break;
+        }
         (at < 0 ? low : high) = share;
         (at < 0 ? low_slope : high_slope) = at;
     }
     return share;
 }
 
-// The residual as the velocities that it leaves unexplained. It bounds the error of u, which the stiffness divides,
-// and the error of the momenta, which take the forces as they are.
+// The residual as the velocities that it leaves unexplained. It bounds the error of u, which the stiffness
+// divides, and the error of the momenta, which take the forces as they are.
 double Newton::defect_norm(const StepProblem& problem, std::span<const Body> bodies, double gravity) {
     const ErrorScale scale(bodies, problem.trial(), gravity);
     double largest = 0;
     for (std::size_t b = 0; b < bodies.size(); ++b) {
-        if (!bodies[b].dynamic()) { continue; }
+        if (!bodies[b].dynamic()) {
+            continue;
+        }
         const auto row = static_cast<Eigen::Index>(6 * b);
         BodyState defect;
         defect.orientation = problem.trial()[b].pose.orientation;

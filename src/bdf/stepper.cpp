@@ -15,7 +15,10 @@ constexpr std::array<double, highest_order> most_growth{10, 2, 1.4, 1.4,
                                                         1.4};  // keeps the formula zero-stable
 constexpr double most_shrink = 0.2;
 constexpr double newton_shrink = 0.25;
-constexpr double newton_share = 0.01;     // of the error tolerance, left to Newton's iteration
+constexpr double newton_share = 0.01;  // of the error tolerance, left to Newton's iteration
+constexpr std::size_t brisk = 6;       // iterations a step, above which it does not grow
+constexpr std::size_t hard = 10;       // above which it shrinks, for the sake of the work per second
+constexpr double easing = 0.7;
 constexpr double smallest_share = 1e-9;   // of a tick, below which a step is not tried
 constexpr double first_share = 1e-3;      // of the time to fall or move by one's own radius
 constexpr std::size_t most_failures = 3;  // before order 1
@@ -256,7 +259,10 @@ void Stepper::plan_next(double time, double error) {
             }
         }
     }
-    best = std::min(best, most_growth[order - 1]);
+    best = std::min({best, most_growth[order - 1], newton_.effort() > hard ? easing : best});
+    if (newton_.effort() > brisk) {
+        best = std::min(best, 1.0);
+    }
     if (best < 1) {
         step_ = step * std::max(best, most_shrink);
     } else if (held_ > order_ && (best >= least_gain || order != order_)) {

@@ -11,6 +11,7 @@ void StepProblem::begin(const StepFormulas& formulas, std::vector<BodyStart>& st
 }
 
 void StepProblem::evaluate(const Eigen::VectorXd& u, Detail detail) {
+    detail_ = detail;
     place_bodies(u);
     forces_.evaluate(system_.contacts, trial_, formulas_, detail, results_);
     evaluations_ += system_.contacts.size();
@@ -96,7 +97,9 @@ void StepProblem::new_states(std::vector<BodyState>& states) const {
         const TrialBody& trial = trial_[b];
         states[b].position = trial.pose.position;
         states[b].orientation = trial.pose.orientation;
-        if (!body.dynamic()) { continue; }
+        if (!body.dynamic()) {
+            continue;
+        }
         if (touched_[b]) {
             states[b].momentum = body.mass * trial.velocity;
             states[b].angular_momentum = world_inertia(body, trial.pose.orientation) * trial.spin;

@@ -24,6 +24,8 @@ class Newton {
     /// The kept factorisation belongs to something else from here on.
     void forget() { factorized_ = false; }
 
+    /// Iterations that the last solve took.
+    [[nodiscard]] std::size_t effort() const { return effort_; }
     [[nodiscard]] const NewtonStatistics& statistics() const { return statistics_; }
 
   private:
@@ -37,6 +39,7 @@ class Newton {
     static double defect_norm(const StepProblem& problem, std::span<const Body> bodies, double gravity);
 
     NewtonStatistics statistics_;
+    std::size_t effort_ = 0;
     bool factorized_ = false;
     double factorized_beta_h_ = 0;
     std::size_t age_ = 0;  ///< solves since the factorisation

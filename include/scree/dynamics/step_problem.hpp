@@ -31,6 +31,8 @@ class StepProblem {
     /// contact.
     void evaluate(const Eigen::VectorXd& u, Detail detail);
 
+    /// Of the last evaluation.
+    [[nodiscard]] Detail detail() const { return detail_; }
     [[nodiscard]] const Eigen::VectorXd& residual() const { return residual_; }
     /// Whether a contact opened or closed or changed between stick and slip since the last factorisation.
     [[nodiscard]] bool states_changed() const;
@@ -40,9 +42,9 @@ class StepProblem {
     /// x := J⁻¹ x with the last factorisation.
     void solve(Eigen::VectorXd& x) const { jacobian_.solve(x); }
 
-    /// The bodies' states at the last evaluation. A body that nothing touches takes its momenta from the forces, so
-    /// that they are kept to rounding; one in contact takes them from its velocities, because the force carries the
-    /// solver's residual multiplied by the contact's stiffness.
+    /// The bodies' states at the last evaluation. A body that nothing touches takes its momenta from the
+    /// forces, so that they are kept to rounding; one in contact takes them from its velocities, because the
+    /// force carries the solver's residual multiplied by the contact's stiffness.
     void new_states(std::vector<BodyState>& states) const;
 
     [[nodiscard]] const StepFormulas& formulas() const { return formulas_; }
@@ -70,6 +72,7 @@ class StepProblem {
     Eigen::VectorXd residual_;
     Jacobian jacobian_;
     std::size_t evaluations_ = 0;
+    Detail detail_ = Detail::force;
 };
 
 }  // namespace scree
