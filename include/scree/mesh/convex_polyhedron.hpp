@@ -32,8 +32,8 @@ struct ConvexPolyhedron {
 };
 
 /// The polyhedron of closed, consistently oriented faces given as loops of vertex numbers. Planes are those
-/// of the loops' area vectors, each pushed out to its farthest vertex. Throws std::invalid_argument when an
-/// edge is not shared by exactly two faces or a face has no area.
+/// of the loops' area vectors, each pushed out to its loop's farthest vertex. Throws std::invalid_argument
+/// when an edge is not shared by exactly two faces or a face has no area.
 ConvexPolyhedron make_polyhedron(std::vector<Vec3> vertices, const std::vector<std::vector<int>>& faces);
 
 /// The box with the full edge lengths `edges` [m], centred on the origin.

@@ -10,11 +10,12 @@ struct MassProperties {
     double volume = 0;                       ///< [m³]
     Vec3 centroid = Vec3::Zero();            ///< [m]
     Mat3 inertia = Mat3::Zero();             ///< [m⁵], about the centroid, axes of the given frame
-    Vec3 principal_inertia = Vec3::Zero();   ///< [m⁵], ascending
-    Quat principal_axes = Quat::Identity();  ///< from the principal frame to the given frame
+    Vec3 principal_inertia = Vec3::Zero();   ///< [m⁵], about the principal axes
+    Quat principal_axes = Quat::Identity();  ///< from the principal frame, nearest to the given one, to that
 };
 
-/// By the divergence theorem over the surface, exact for polyhedra. The surface must be closed and outward.
+/// By the divergence theorem over the surface, exact for polyhedra. The surface must be closed and outward;
+/// throws std::invalid_argument when its volume is not positive.
 MassProperties mass_properties(const ConvexPolyhedron& solid);
 MassProperties mass_properties(const TriangleMesh& surface);
 
