@@ -1,0 +1,75 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <scree/scenes/frame_motion.hpp>
+#include <scree/scenes/output_times.hpp>
+#include <scree/scenes/scene_description.hpp>
+#include <scree/scenes/scene_error.hpp>
+#include <scree/scenes/solid.hpp>
+#include <scree/world/dynamics_world.hpp>
+
+namespace scree {
+
+/// A body of a running scene.
+struct SimulationBody {
+    std::string name;
+    std::string material;
+    Solid solid;
+    FrameMotion start;  ///< of the file's frame, at time 0, as the scene has it
+    bool fixed = false;
+    std::unique_ptr<btRigidBody> rigid;
+    bool mirrored = false;  ///< the world holds the negative, equal quaternion
+};
+
+/// A scene in a world, run from one output time to the next.
+class Simulation {
+  public:
+    /// Loads the meshes, fills the boxes and makes the bodies. Throws SceneError.
+    explicit Simulation(const SceneDescription& scene);
+    ~Simulation();
+    Simulation(const Simulation&) = delete;
+    Simulation& operator=(const Simulation&) = delete;
+
+    [[nodiscard]] const SceneDescription& scene() const { return scene_; }
+    [[nodiscard]] const OutputTimes& times() const { return times_; }
+    [[nodiscard]] DynamicsWorld& world() { return *world_; }
+    [[nodiscard]] const DynamicsWorld& world() const { return *world_; }
+
+    /// In scene order, those of `fill` after those of `bodies`.
+    [[nodiscard]] const std::vector<SimulationBody>& bodies() const { return bodies_; }
+    /// What the user should know of how the scene was understood, a line each.
+    [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
+
+    /// The present motion of a body's file frame, which is what scenes and outputs speak of.
+    [[nodiscard]] FrameMotion file_motion(std::size_t body) const;
+    /// The present motion of its mass centre and principal axes.
+    [[nodiscard]] FrameMotion body_motion(std::size_t body) const;
+
+    /// Present time [s]: an output time, or later than the last one if the world has failed.
+    [[nodiscard]] double time() const;
+    /// The number of the last output time reached.
+    [[nodiscard]] std::int64_t tick() const { return tick_; }
+    /// On to the next output time. Returns false when the world cannot; its step report says why.
+    bool advance();
+
+  private:
+    void make_bodies();
+    void make_world();
+    void add_to_world(std::size_t index);
+    [[nodiscard]] bool at_start(const SimulationBody& body) const;
+
+    SceneDescription scene_;
+    OutputTimes times_;
+    std::int64_t tick_ = 0;
+    std::vector<std::string> notes_;
+    std::vector<SimulationBody> bodies_;
+    std::unique_ptr<btCollisionConfiguration> configuration_;
+    std::unique_ptr<btCollisionDispatcher> dispatcher_;
+    std::unique_ptr<btBroadphaseInterface> broadphase_;
+    std::unique_ptr<DynamicsWorld> world_;
+};
+
+}  // namespace scree

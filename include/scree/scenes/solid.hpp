@@ -1,0 +1,28 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+#include <scree/scenes/scene_description.hpp>
+#include <scree/world/dynamics_world.hpp>
+
+namespace scree {
+
+/// A shape of a scene, ready to become bodies. The body's frame has the mass centre as origin and principal
+/// axes; the file's frame is the one that position and orientation place.
+struct Solid {
+    std::shared_ptr<const Shape> shape;           ///< in the body's frame
+    std::shared_ptr<btCollisionShape> collision;  ///< the same for Bullet
+    Pose body_in_file;                            ///< the body's frame, seen from the file's
+    double volume = 0;                            ///< [m³]; infinite for a half-space
+    Vec3 inertia = Vec3::Zero();                  ///< principal, for density 1 [m⁵]
+    double share_of_hull = 1;                     ///< volume of the mesh over that of its hull
+};
+
+/// Loads the mesh, if it is one. Throws std::exception, saying why it is no solid.
+Solid make_solid(const ShapeDescription& shape, const std::filesystem::path& folder);
+
+/// The same solid with all lengths multiplied by `factor`.
+Solid scaled(const Solid& solid, double factor);
+
+}  // namespace scree

@@ -1,0 +1,117 @@
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <functional>
+#include <iostream>
+
+#include <scree/output/output_folder.hpp>
+#include <scree/scenes/scene_error.hpp>
+#include <scree/version.hpp>
+
+#include "commands.hpp"
+
+namespace {
+
+using namespace scree;
+
+constexpr int most_threads = 1024;
+
+/// Exactly one line, whatever a name or a library put into the text.
+int report_error(std::string text, int status) {
+    for (char& c : text) {
+        c = static_cast<unsigned char>(c) < ' ' ? ' ' : c;
+    }
+    std::cerr << "scree: " << text << std::endl;
+    return status;
+}
+
+/// The command line, and the command that it asks for.
+class CommandLine {
+  public:
+    CommandLine() {
+        app_.set_version_flag("--version", std::string("scree ") + version);
+        app_.require_subcommand(1);
+        add_run();
+        add_check();
+        add_mesh();
+        add_list();
+        add_absent("resume", "go on with a run from its checkpoint");
+        add_absent("report", "tables of accuracy, stability and cost");
+    }
+
+    int run(int count, char** words) {
+        try {
+            app_.parse(count, words);
+        } catch (const CLI::ParseError& error) {
+            const bool asked = error.get_exit_code() == 0;  // for help or the version
+            return asked ? app_.exit(error) : report_error(error.what(), exit_bad_input);
+        }
+        return command_();
+    }
+
+  private:
+    CLI::App* add(const char* name, const char* purpose, std::function<int()> command) {
+        CLI::App* sub = app_.add_subcommand(name, purpose);
+        sub->add_flag("--quiet", run_.quiet, "No progress and no closing line");
+        sub->callback([this, command = std::move(command)] { command_ = command; });
+        return sub;
+    }
+
+    void add_scene(CLI::App& sub) {
+        sub.add_option("SCENE", run_.scene, "A scene file, or the name of a scene that comes with scree")
+            ->required();
+        sub.add_option("--set", run_.settings, "Change the scene: KEY=VALUE with a dotted path")
+            ->allow_extra_args(false)
+            ->take_all();
+    }
+
+    void add_run() {
+        CLI::App* sub = add("run", "Run a scene", [this] { return run_command(run_); });
+        add_scene(*sub);
+        sub->add_option("--out", run_.out, "The folder to write to (out/<scene name>)");
+        sub->add_option("--until", run_.until, "Stop at the last output time up to this one [s]")
+            ->check(CLI::Range(0.0, HUGE_VAL));
+        sub->add_option("--threads", run_.threads, "Threads to use")->check(CLI::Range(1, most_threads));
+    }
+
+    void add_check() {
+        add_scene(*add("check", "Load a scene, say what it will use and leave out, and run nothing",
+                       [this] { return check_command(run_); }));
+    }
+
+    void add_mesh() {
+        CLI::App* sub = add("mesh", "Say what a mesh file holds", [this] {
+            mesh_.quiet = run_.quiet;
+            return mesh_command(mesh_);
+        });
+        sub->add_option("FILE", mesh_.file, "A mesh file")->required();
+        sub->add_option("--scale", mesh_.scale, "Multiply all lengths");
+        sub->add_flag("--json", mesh_.json, "Print JSON");
+    }
+
+    void add_list() {
+        add("list", "List the scenes that come with scree", [this] { return list_command(run_.quiet); });
+    }
+
+    void add_absent(const char* name, const char* purpose) {
+        add(name, purpose, [name] {
+            return report_error(std::string(name) + ": not in this build", exit_bad_input);
+        })->allow_extras();
+    }
+
+    CLI::App app_{"scree: discrete elements of polyhedra, loaded from meshes, over Bullet", "scree"};
+    RunRequest run_;
+    MeshRequest mesh_;
+    std::function<int()> command_;
+};
+
+}  // namespace
+
+int main(int count, char** words) {
+    try {
+        return CommandLine().run(count, words);
+    } catch (const SceneError& error) {
+        return report_error(error.what(), exit_bad_input);
+    } catch (const std::exception& error) {
+        return report_error(error.what(), exit_not_written);
+    }
+}

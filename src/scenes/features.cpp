@@ -1,0 +1,98 @@
+#include <scree/scenes/features.hpp>
+
+#include <algorithm>
+
+namespace scree {
+
+namespace {
+
+using S = SceneDescription;
+
+/// Whether some pair of the scene's materials can have a positive value.
+template <auto of_material, auto of_pair>
+bool anywhere(const S& scene) {
+    const auto material_has = [](const auto& entry) { return entry.second.*of_material > 0; };
+    const auto pair_has = [](const PairDescription& pair) { return (pair.*of_pair).value_or(0) > 0; };
+    return std::any_of(scene.materials.begin(), scene.materials.end(), material_has) ||
+           std::any_of(scene.pairs.begin(), scene.pairs.end(), pair_has);
+}
+
+template <class Kind>
+bool has_shape(const S& scene) {
+    const auto is_kind = [&](const auto& body) {
+        return std::holds_alternative<Kind>(scene.shapes.at(body.shape));
+    };
+    return std::any_of(scene.bodies.begin(), scene.bodies.end(), is_kind) ||
+           std::any_of(scene.fill.begin(), scene.fill.end(), is_kind);
+}
+
+template <class Kind>
+bool has_motion(const S& scene) {
+    return std::any_of(scene.bodies.begin(), scene.bodies.end(),
+                       [](const BodyDescription& body) { return std::holds_alternative<Kind>(body.motion); });
+}
+
+bool has_parts(const S& scene) {
+    return std::any_of(scene.shapes.begin(), scene.shapes.end(), [](const auto& entry) {
+        const auto* mesh = std::get_if<MeshShape>(&entry.second);
+        return mesh != nullptr && mesh->parts != Parts::hull;
+    });
+}
+
+bool has_friction(const S& scene) {
+    return scene.law.friction != FrictionLaw::none &&
+           anywhere<&Material::friction, &PairDescription::friction>(scene);
+}
+
+bool has_polygonal_patches(const S& scene) {
+    return has_shape<MeshShape>(scene) || has_shape<BoxShape>(scene);
+}
+
+struct Feature {
+    const char* name;
+    bool (*used)(const S&);
+};
+
+constexpr Feature features[] = {
+    {"gravity", [](const S& s) { return s.gravity != Vec3::Zero(); }},
+    {"friction", has_friction},
+    {"torsion",
+     [](const S& s) {
+         return has_friction(s) && has_polygonal_patches(s) &&
+                anywhere<&Material::torsion, &PairDescription::torsion>(s);
+     }},
+    {"normal_damping", anywhere<&Material::normal_damping, &PairDescription::normal_damping>},
+    {"tangential_damping",
+     [](const S& s) {
+         return has_friction(s) &&
+                anywhere<&Material::tangential_damping, &PairDescription::tangential_damping>(s);
+     }},
+    {"co_rotation", [](const S& s) { return has_friction(s) && s.law.co_rotation; }},
+    {"pairs", [](const S& s) { return !s.pairs.empty(); }},
+    {"meshes", has_shape<MeshShape>},
+    {"boxes", has_shape<BoxShape>},
+    {"spheres", has_shape<Sphere>},
+    {"half_spaces", has_shape<HalfSpace>},
+    {"decomposition", has_parts},
+    {"fixed_bodies", has_motion<FixedMotion>},
+    {"prescribed_motion", has_motion<PrescribedMotion>},
+    {"fill", [](const S& s) { return !s.fill.empty(); }},
+    {"newton", [](const S& s) { return s.stepping.method == Method::bdf; }},
+    {"error_control", [](const S& s) { return !s.stepping.step; }},
+};
+
+}  // namespace
+
+bool Features::uses(std::string_view feature) const {
+    return std::find(used.begin(), used.end(), feature) != used.end();
+}
+
+Features scene_features(const SceneDescription& scene) {
+    Features result;
+    for (const Feature& feature : features) {
+        (feature.used(scene) ? result.used : result.left_out).emplace_back(feature.name);
+    }
+    return result;
+}
+
+}  // namespace scree

@@ -1,0 +1,47 @@
+#include "materials.hpp"
+
+#include <scree/scenes/features.hpp>
+
+namespace scree {
+
+namespace {
+
+void override_named(const PairDescription& entry, PairMaterial& pair) {
+    pair.youngs_modulus = entry.youngs_modulus.value_or(pair.youngs_modulus);
+    pair.friction = entry.friction.value_or(pair.friction);
+    pair.normal_damping = entry.normal_damping.value_or(pair.normal_damping);
+    pair.tangential_damping = entry.tangential_damping.value_or(pair.tangential_damping);
+    pair.tangential_ratio = entry.tangential_ratio.value_or(pair.tangential_ratio);
+    pair.torsion = entry.torsion.value_or(pair.torsion);
+}
+
+template <LawParts parts>
+void set_law_of(const SceneDescription& scene, DynamicsWorld& world) {
+    world.set_contact_law(CundallStrack<parts>{scene.law.co_rotation});
+}
+
+}  // namespace
+
+PairMaterial pair_material(const SceneDescription& scene, const std::string& a, const std::string& b) {
+    PairMaterial pair = mix(scene.materials.at(a), scene.materials.at(b));
+    for (const PairDescription& entry : scene.pairs) {
+        const auto& [c, d] = entry.materials;
+        if ((a == c && b == d) || (a == d && b == c)) {
+            override_named(entry, pair);
+        }
+    }
+    return pair;
+}
+
+void set_law(const SceneDescription& scene, DynamicsWorld& world) {
+    const Features features = scene_features(scene);
+    if (!features.uses("friction")) {
+        set_law_of<LawParts{false, false}>(scene, world);
+    } else if (!features.uses("torsion")) {
+        set_law_of<LawParts{true, false}>(scene, world);
+    } else {
+        set_law_of<LawParts{true, true}>(scene, world);
+    }
+}
+
+}  // namespace scree

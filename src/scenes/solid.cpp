@@ -1,0 +1,102 @@
+#include <scree/scenes/solid.hpp>
+
+#include <limits>
+#include <numbers>
+
+#include <scree/detect/collision_shapes.hpp>
+#include <scree/detect/convert.hpp>
+#include <scree/mesh/convex_hull.hpp>
+#include <scree/mesh/mass_properties.hpp>
+#include <scree/mesh_io/load_mesh.hpp>
+
+namespace scree {
+
+namespace {
+
+/// A polyhedron given in the file's frame.
+Solid polyhedral(const ConvexPolyhedron& in_file) {
+    const MassProperties mass = mass_properties(in_file);
+    Solid solid;
+    solid.body_in_file = {mass.centroid, mass.principal_axes};
+    solid.shape = std::make_shared<const Shape>(transformed(in_file, solid.body_in_file.inverse()));
+    solid.collision = std::make_shared<PolyhedronShape>(solid.shape);
+    solid.volume = mass.volume;
+    solid.inertia = mass.principal_inertia;
+    return solid;
+}
+
+/// Makes the solid of each kind of shape.
+struct Maker {
+    const std::filesystem::path& folder;
+
+    Solid operator()(const MeshShape& mesh) const {
+        TriangleMesh surface = load_mesh(folder / mesh.file);
+        for (Vec3& vertex : surface.vertices) {
+            vertex = vertex.cwiseProduct(mesh.scale);
+        }
+        Solid solid = polyhedral(convex_hull(surface.vertices).solid);
+        solid.share_of_hull = mass_properties(surface).volume / solid.volume;
+        return solid;
+    }
+
+    Solid operator()(const BoxShape& box) const {
+        const Vec3 squares = box.edges.cwiseAbs2();
+        Solid solid;
+        solid.shape = std::make_shared<const Shape>(make_box(box.edges));
+        solid.collision = std::make_shared<PolyhedronShape>(solid.shape);
+        solid.volume = box.edges.prod();
+        solid.inertia = solid.volume / 12 * (Vec3::Constant(squares.sum()) - squares);
+        return solid;
+    }
+
+    Solid operator()(const Sphere& sphere) const {
+        const double square = sphere.radius * sphere.radius;
+        Solid solid;
+        solid.shape = std::make_shared<const Shape>(sphere);
+        solid.collision = std::make_shared<btSphereShape>(sphere.radius);
+        solid.volume = 4.0 / 3.0 * std::numbers::pi * square * sphere.radius;
+        solid.inertia = Vec3::Constant(0.4 * solid.volume * square);
+        return solid;
+    }
+
+    Solid operator()(const HalfSpace& half_space) const {
+        Solid solid;
+        solid.shape = std::make_shared<const Shape>(half_space);
+        solid.collision =
+            std::make_shared<btStaticPlaneShape>(to_bullet(half_space.normal), half_space.offset);
+        solid.volume = std::numeric_limits<double>::infinity();
+        return solid;
+    }
+};
+
+}  // namespace
+
+Solid make_solid(const ShapeDescription& shape, const std::filesystem::path& folder) {
+    return std::visit(Maker{folder}, shape);
+}
+
+Solid scaled(const Solid& solid, double factor) {
+    Solid other = solid;
+    if (const auto* sphere = std::get_if<Sphere>(solid.shape.get())) {
+        other.shape = std::make_shared<const Shape>(Sphere{factor * sphere->radius});
+        other.collision = std::make_shared<btSphereShape>(factor * sphere->radius);
+    } else {
+        ConvexPolyhedron larger = std::get<ConvexPolyhedron>(*solid.shape);
+        for (Vec3& vertex : larger.vertices) {
+            vertex *= factor;
+        }
+        for (Plane& plane : larger.planes) {
+            plane.offset *= factor;
+        }
+        larger.radius *= factor;
+        other.shape = std::make_shared<const Shape>(std::move(larger));
+        other.collision = std::make_shared<PolyhedronShape>(other.shape);
+    }
+    const double cube = factor * factor * factor;
+    other.body_in_file.position *= factor;
+    other.volume *= cube;
+    other.inertia *= cube * factor * factor;
+    return other;
+}
+
+}  // namespace scree
