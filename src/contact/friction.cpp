@@ -151,11 +151,14 @@ void add_friction(const ContactInput& in, const Row9& normal_force_rate, bool co
     Mat39* const rate_wanted = differentiate ? &rate : nullptr;
     out.state = cut_off(force, rate_wanted, limit, limit_rate) ? ContactState::slip : ContactState::stick;
     out.trial = {force, n};
+    out.power.tangential = -force.dot(slip.velocity);
+    out.tangential_energy = stiffness > 0 ? 0.5 * force.squaredNorm() / stiffness : 0;
     force -= damping * slip.velocity;
     if (differentiate) {
         rate -= damping * slip.rate;
     }
     cut_off(force, rate_wanted, limit, limit_rate);
+    out.power.tangential_damping = -force.dot(slip.velocity) - out.power.tangential;
 
     const double along = force.dot(n);
     out.force += force - along * n;

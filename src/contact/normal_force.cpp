@@ -28,7 +28,15 @@ double volume_rate(const ContactGeometry& geometry, const RelativeMotion& motion
 
 bool add_normal_force(const ContactInput& in, ContactForce& out, Row9& normal_force_rate) {
     const ContactGeometry& g = in.geometry;
-    const double fn = in.pair.elastic * g.volume + in.pair.normal_damping * volume_rate(g, in.motion);
+    const double elastic = in.pair.elastic * g.volume;
+    const double stored = -elastic * g.normal.dot(in.motion.velocity);
+    if (g.depth_moment >= 0) {
+        out.normal_energy = in.pair.elastic * g.depth_moment;
+    } else {
+        out.power.normal_elastic = stored;
+    }
+    out.power.normal_damping = -stored;  // less the work of the force, below
+    const double fn = elastic + in.pair.normal_damping * volume_rate(g, in.motion);
     if (!(fn > 0)) {
         return false;
     }
@@ -43,6 +51,7 @@ bool add_normal_force(const ContactInput& in, ContactForce& out, Row9& normal_fo
     if (g.flat_patch) {
         add_rocking_damping(in, out);
     }
+    out.power.normal_damping -= out.force.dot(in.motion.velocity) + out.moment.dot(in.motion.spin);
     return true;
 }
 

@@ -34,7 +34,7 @@ void StepProblem::sum_forces() {
     force_.resize(trial_.size());
     torque_.resize(trial_.size());
     for (std::size_t b = 0; b < trial_.size(); ++b) {
-        force_[b] = system_.bodies[b].force;
+        force_[b] = system_.bodies[b].weight + system_.bodies[b].force;
         torque_[b] = system_.bodies[b].torque;
     }
     touched_.assign(trial_.size(), false);

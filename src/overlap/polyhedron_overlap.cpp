@@ -111,13 +111,10 @@ bool overlap_half_space(const ConvexPolyhedron& a, const Pose& pose_a, const Hal
     if (!describe({a.planes, workspace.planes}, apart, detail, false, solid, geometry)) {
         return false;
     }
-    if (geometry.centre_line) {
-        geometry.normal_rate.setZero();
-    }
+    geometry.normal_rate.setZero();
     rotate(geometry, pose_a.orientation.toRotationMatrix());
-    if (!geometry.centre_line) {
-        geometry.normal = normal;  // exact, whatever the rounding of the cut
-    }
+    geometry.normal = normal;  // exact, whatever the rounding of the cut
+    geometry.depth_moment = -geometry.volume * (height + normal.dot(geometry.centroid));
     return true;
 }
 

@@ -65,6 +65,7 @@ bool overlap_cap(const Sphere& a, const Pose& pose_a, const HalfSpace& b, const 
     if (depth >= 2 * a.radius) {
         fill_whole(g, a.radius, Vec3::Zero(), true);
         follow_centre(g, Mat3::Zero(), Mat3::Zero());
+        g.depth_moment = -g.volume * height;
         return true;
     }
     const Cap part(a.radius, depth);
@@ -75,6 +76,7 @@ bool overlap_cap(const Sphere& a, const Pose& pose_a, const HalfSpace& b, const 
     g.area_vector = -g.area * normal;
     g.first_moment = g.volume * Mat3::Identity() - g.area * part.centroid * along;
     follow_centre(g, 2 * pi * height * along, Mat3::Zero());
+    g.depth_moment = g.volume * part.centroid;
     return true;
 }
 

@@ -47,6 +47,15 @@ class Stepper {
     /// The system's contacts are others than before.
     void contacts_renewed() { newton_.forget(); }
 
+    /// Where the energy is at the last accepted step.
+    [[nodiscard]] EnergyLedger energy() const {
+        return energy_ledger(system_, problem_.results(), history_.sums(), held_at_start_);
+    }
+    /// Momentum less the impulse received since the first start [kg m/s].
+    [[nodiscard]] Vec3 momentum_residual() const {
+        return total_momentum(system_) - history_.sums().impulse - momentum_at_start_;
+    }
+
     [[nodiscard]] double time() const { return time_; }
     [[nodiscard]] std::size_t order() const { return order_; }
     [[nodiscard]] double last_step() const { return last_step_; }
@@ -59,6 +68,7 @@ class Stepper {
 
     double choose_step(double end) const;
     Attempt attempt(double time);
+    void open_ledger();
     void predict(double time);
     double local_error(double time, std::size_t order) const;
     double first_error(double step) const;
@@ -83,6 +93,13 @@ class Stepper {
     std::size_t order_ = 1;
     std::size_t held_ = 0;  ///< accepted steps since order or step changed
     std::size_t failures_ = 0;
+    BdfFormula formula_;  ///< of the attempt
+    Accumulated sums_;    ///< as of the last accepted step
+    bool started_ = false;
+    double held_at_start_ = 0;  ///< energy [J]
+    double held_last_ = 0;      ///< at the last accepted step
+    Vec3 momentum_at_start_ = Vec3::Zero();
+    Vec3 momentum_last_ = Vec3::Zero();
     std::vector<Vec3> first_force_, first_torque_;  ///< at the restart
     std::vector<BodyStart> starts_;
     std::vector<BodyState> trial_states_;

@@ -19,6 +19,15 @@ struct ContactInput {
 
 enum class ContactState { open, stick, slip };
 
+/// Where the power of a contact goes [W].
+struct ContactPower {
+    double normal_elastic =
+        0;  ///< into normal elasticity; 0 where ContactForce::normal_energy tells the state
+    double normal_damping = 0;      ///< lost
+    double tangential = 0;          ///< into the tangential springs and slip together
+    double tangential_damping = 0;  ///< lost
+};
+
 /// What a contact law answers.
 struct ContactForce {
     Vec3 force = Vec3::Zero();   ///< [N], on A at the centroid; −force on B
@@ -26,6 +35,9 @@ struct ContactForce {
     double normal_force = 0;     ///< fn [N] ≥ 0
     FrictionRecord trial;        ///< what the history becomes if the step is accepted
     ContactState state = ContactState::open;
+    ContactPower power;
+    double normal_energy = 0;          ///< stored [J], where the law has a potential
+    double tangential_energy = 0;      ///< stored [J]
     bool lost_direction = false;       ///< a stored force was normal to the new plane and started from zero
     Mat39 force_rate = Mat39::Zero();  ///< by the nine unknowns of MotionRates, when asked for
     Mat39 moment_rate = Mat39::Zero();

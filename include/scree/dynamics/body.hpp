@@ -11,7 +11,8 @@ struct Body {
     double mass = std::numeric_limits<double>::infinity();  ///< [kg]; infinite: moves as prescribed
     Vec3 inertia = Vec3::Zero();                            ///< principal moments [kg m²]
     double radius = 0;                                      ///< ℓ [m], of the sphere of the body's volume
-    Vec3 force = Vec3::Zero();   ///< [N] from outside, weight included, held for a tick; world axes
+    Vec3 weight = Vec3::Zero();                             ///< [N]; world axes
+    Vec3 force = Vec3::Zero();   ///< [N] from outside besides the weight, held for a tick; world axes
     Vec3 torque = Vec3::Zero();  ///< [N m] from outside, about the mass centre; world axes
 
     [[nodiscard]] bool dynamic() const { return mass < std::numeric_limits<double>::infinity(); }

@@ -20,6 +20,9 @@ struct ContactGeometry {
     double area = 0;                  ///< [m²], ‖S‖
     double depth = 0;                 ///< δ [m], the overlap's extent along n
     double lever = 0;  ///< r̄ = ∫‖p−c‖dA/A [m] of the patch seen along n; 0 for a smooth contact
+    /// ∫ depth dV [m⁴] over the overlap with a half-space, whose force is its gradient; negative when there
+    /// is none.
+    double depth_moment = -1;
     bool flat_patch = false;   ///< the patch is polygonal: the damping is a traction on it
     bool centre_line = false;  ///< S vanishes (one inside the other): n is the line of centres
 

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <scree/dynamics/step_problem.hpp>
+
+namespace scree {
+
+/// What is summed over time beside the states, by the same formula: energies [J], then the impulse [N s].
+struct Accumulated {
+    double normal_elastic = 0;      ///< into normal elasticity that has no potential
+    double normal_damping = 0;      ///< lost
+    double tangential = 0;          ///< into tangential springs and slip
+    double tangential_damping = 0;  ///< lost
+    double applied = 0;             ///< by applied forces and prescribed bodies
+    Vec3 impulse = Vec3::Zero();    ///< of weights, applied forces and prescribed bodies on the others
+
+    Accumulated& add(double factor, const Accumulated& other);
+};
+
+/// The rates of what is accumulated, at the problem's last evaluation [W, N].
+Accumulated accumulation_rates(const System& system, const StepProblem& problem);
+
+/// Where the energy is [J].
+struct EnergyLedger {
+    double kinetic = 0;
+    double gravity = 0;
+    double normal_elastic = 0;
+    double tangential_elastic = 0;
+    double lost_normal_damping = 0;
+    double lost_tangential_damping = 0;
+    double lost_friction = 0;
+    double work_applied = 0;
+    double residual = 0;  ///< what the numbers above leave unexplained: the error of the time stepping
+
+    /// What the bodies and contacts hold.
+    [[nodiscard]] double held() const { return kinetic + gravity + normal_elastic + tangential_elastic; }
+};
+
+/// The ledger at the system's present states and the problem's last evaluation; `start` is held() at the
+/// start.
+EnergyLedger energy_ledger(const System& system, std::span<const ContactResult> results,
+                           const Accumulated& sums, double start);
+
+/// Total momentum of the dynamic bodies [kg m/s].
+Vec3 total_momentum(const System& system);
+
+}  // namespace scree

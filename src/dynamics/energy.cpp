@@ -1,0 +1,102 @@
+#include <scree/dynamics/energy.hpp>
+
+namespace scree {
+
+namespace {
+
+// Work that a prescribed body does on what it touches, by the force and moment that it gets in return.
+void add_prescribed(const TrialBody& body, const Vec3& force, const Vec3& moment, Accumulated& rates) {
+    rates.applied -= force.dot(body.velocity) + moment.dot(body.spin);
+    rates.impulse -= force;
+}
+
+}  // namespace
+
+Accumulated& Accumulated::add(double factor, const Accumulated& other) {
+    normal_elastic += factor * other.normal_elastic;
+    normal_damping += factor * other.normal_damping;
+    tangential += factor * other.tangential;
+    tangential_damping += factor * other.tangential_damping;
+    applied += factor * other.applied;
+    impulse += factor * other.impulse;
+    return *this;
+}
+
+Accumulated accumulation_rates(const System& system, const StepProblem& problem) {
+    Accumulated rates;
+    for (std::size_t b = 0; b < system.bodies.size(); ++b) {
+        const Body& body = system.bodies[b];
+        if (!body.dynamic()) {
+            continue;
+        }
+        const TrialBody& trial = problem.trial()[b];
+        rates.applied += body.force.dot(trial.velocity) + body.torque.dot(trial.spin);
+        rates.impulse += body.weight + body.force;
+    }
+    const auto results = problem.results();
+    for (std::size_t i = 0; i < results.size(); ++i) {
+        if (!results[i].touching) {
+            continue;
+        }
+        const ContactForce& law = results[i].law;
+        rates.normal_elastic += law.power.normal_elastic;
+        rates.normal_damping += law.power.normal_damping;
+        rates.tangential += law.power.tangential;
+        rates.tangential_damping += law.power.tangential_damping;
+        if (law.state == ContactState::open) {
+            continue;
+        }
+        const auto a = static_cast<std::size_t>(system.contacts[i].a.body);
+        const auto b = static_cast<std::size_t>(system.contacts[i].b.body);
+        if (!system.bodies[a].dynamic()) {
+            add_prescribed(problem.trial()[a], law.force, results[i].moment_a, rates);
+        }
+        if (!system.bodies[b].dynamic()) {
+            add_prescribed(problem.trial()[b], -law.force, results[i].moment_b, rates);
+        }
+    }
+    return rates;
+}
+
+EnergyLedger energy_ledger(const System& system, std::span<const ContactResult> results,
+                           const Accumulated& sums, double start) {
+    EnergyLedger ledger;
+    for (std::size_t b = 0; b < system.bodies.size(); ++b) {
+        const Body& body = system.bodies[b];
+        if (!body.dynamic()) {
+            continue;
+        }
+        const BodyState& state = system.states[b];
+        ledger.kinetic +=
+            0.5 * (state.momentum.dot(velocity(body, state)) + state.angular_momentum.dot(spin(body, state)));
+        ledger.gravity -= body.weight.dot(state.position);
+    }
+    for (const ContactResult& result : results) {
+        if (!result.touching) {
+            continue;
+        }
+        ledger.normal_elastic += result.law.normal_energy;
+        ledger.tangential_elastic += result.law.tangential_energy;
+    }
+    ledger.normal_elastic += sums.normal_elastic;
+    ledger.lost_normal_damping = sums.normal_damping;
+    ledger.lost_tangential_damping = sums.tangential_damping;
+    // What went into springs and slip and is in the springs no more.
+    ledger.lost_friction = sums.tangential - ledger.tangential_elastic;
+    ledger.work_applied = sums.applied;
+    ledger.residual = ledger.held() + ledger.lost_normal_damping + ledger.lost_tangential_damping +
+                      ledger.lost_friction - ledger.work_applied - start;
+    return ledger;
+}
+
+Vec3 total_momentum(const System& system) {
+    Vec3 sum = Vec3::Zero();
+    for (std::size_t b = 0; b < system.bodies.size(); ++b) {
+        if (system.bodies[b].dynamic()) {
+            sum += system.states[b].momentum;
+        }
+    }
+    return sum;
+}
+
+}  // namespace scree
