@@ -4,7 +4,6 @@
 
 #include <functional>
 #include <memory>
-#include <string>
 
 #include <scree/bdf/stepper.hpp>
 #include <scree/contact/material.hpp>
@@ -22,7 +21,7 @@ class WorldImplementation;
 ///
 /// One tick is one fixed step of stepSimulation; within it the method takes as many steps as it needs,
 /// keeping its history over the tick's end. Forces set from outside are constant within a tick; a pose or
-/// velocity set from outside starts the method afresh.
+/// velocity set from outside starts the method afresh. Bodies are never put to sleep.
 class DynamicsWorld : public btDiscreteDynamicsWorld {
   public:
     /// As btDiscreteDynamicsWorld; the solver is not used and may be null.
@@ -32,12 +31,15 @@ class DynamicsWorld : public btDiscreteDynamicsWorld {
     DynamicsWorld(const DynamicsWorld&) = delete;
     DynamicsWorld& operator=(const DynamicsWorld&) = delete;
 
-    /// How the steps are made; takes effect with the next tick, at order 1.
+    /// How the steps are made; takes effect with the next tick, at order 1. The scale of gravity among the
+    /// tolerances is the world's own.
     void set_stepping(const SteppingOptions& options);
 
-    /// What a body is made of. A body without one gets what its Bullet friction, restitution and mass
-    /// suggest.
+    /// What a body is made of, until it is removed. A body without one gets what its Bullet friction,
+    /// restitution and mass suggest; see automatic_material.hpp.
     void set_material(const btRigidBody& body, const Material& material);
+    /// What was set, or derived. A body without mass or material has an infinite Young's modulus, which means
+    /// that of whatever it touches.
     [[nodiscard]] Material material(const btRigidBody& body) const;
     /// Overrides the mixing rules: called with the two materials, in the order of the bodies.
     using Mixing =
@@ -49,30 +51,47 @@ class DynamicsWorld : public btDiscreteDynamicsWorld {
     void set_contact_law(Law law) {
         set_forces(std::make_unique<ForcesOf<Law>>(std::move(law)));
     }
+    /// Null: the built-in law, with the parts that the materials ask for.
     void set_forces(std::unique_ptr<ContactForces> forces);
 
-    /// What the ticks so far have done, and why the last one stopped if it did.
+    /// What the ticks so far have done, and why the last one stopped if it did. After a failure ticks do
+    /// nothing.
     [[nodiscard]] const StepReport& step_report() const;
 
     /// The bodies, states and contacts as of the end of the last tick; body numbers are those of
-    /// body_number().
+    /// body_number(). A body added since then is there already, one removed since then still is.
     [[nodiscard]] const System& system() const;
     /// What each of system().contacts did at the last accepted step.
     [[nodiscard]] std::span<const ContactResult> contact_results() const;
-    /// The place of a body in system(), −1 for one that is not in this world.
-    [[nodiscard]] int body_number(const btRigidBody& body) const;
+    /// The place of a body in system(), −1 for one that is not in this world. Bodies are in the order in
+    /// which they were added.
+    [[nodiscard]] int body_number(const btCollisionObject& body) const;
 
+    /// As Bullet's, but after a failure it returns the number of ticks that were done.
+    int stepSimulation(btScalar time, int max_ticks = 1, btScalar tick = btScalar(1) / 60) override;
     /// Joints are not done: throws std::invalid_argument.
     void addConstraint(btTypedConstraint* constraint, bool disable_collisions = false) override;
-    /// Refuses shapes that have no overlap: throws std::invalid_argument, and the body is not added.
+    /// Refuses shapes that have no overlap, and degrees of freedom locked one by one: throws
+    /// std::invalid_argument, and the body is not added.
     void addRigidBody(btRigidBody* body) override;
     void addRigidBody(btRigidBody* body, int group, int mask) override;
     void removeRigidBody(btRigidBody* body) override;
+    /// A plain collision object is a fixed body, and one without contact response no body at all. Soft bodies
+    /// and multibodies are refused.
+    void addCollisionObject(btCollisionObject* object, int group = btBroadphaseProxy::StaticFilter,
+                            int mask = btBroadphaseProxy::AllFilter ^
+                                       btBroadphaseProxy::StaticFilter) override;
+    void removeCollisionObject(btCollisionObject* object) override;
+    void updateAabbs() override;
 
   protected:
     void internalSingleStepSimulation(btScalar tick) override;
+    void saveKinematicState(btScalar time) override;
 
   private:
+    void forget(const btCollisionObject& object);
+    void update_sensors();
+
     std::unique_ptr<WorldImplementation> implementation_;
 };
 

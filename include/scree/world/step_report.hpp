@@ -9,7 +9,7 @@ namespace scree {
 /// Wall time [s] by stage.
 struct StageTimes {
     double detection = 0;  ///< bounds, broadphase, pair list
-    double stepping = 0;   ///< everything within the steps
+    double stepping = 0;   ///< everything within the steps, but for pairs found anew
 };
 
 /// What a world's ticks have done since it was made.
@@ -17,13 +17,19 @@ struct StepReport {
     bool failed = false;  ///< a tick could not be finished; the bodies stand at the last accepted step
     std::string message;  ///< why
     double time = 0;      ///< [s] simulated
+    std::size_t ticks = 0;
     SteppingStatistics steps;
     NewtonStatistics newton;
     std::size_t contact_evaluations = 0;
+    std::size_t pair_searches = 0;
     std::size_t contacts = 0;       ///< touching now
     std::size_t most_contacts = 0;  ///< at the end of a tick
-    double largest_overlap = 0;     ///< δ over body size, over all ticks
+    double largest_overlap = 0;     ///< δ over the smaller body's radius ℓ, over the ends of all ticks
     StageTimes times;
 };
+
+/// Adds what one stepper has done to what others did before it.
+void add(SteppingStatistics& sum, const SteppingStatistics& part);
+void add(NewtonStatistics& sum, const NewtonStatistics& part);
 
 }  // namespace scree

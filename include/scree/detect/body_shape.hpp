@@ -1,0 +1,48 @@
+#pragma once
+
+#include <btBulletCollisionCommon.h>
+
+#include <map>
+#include <memory>
+#include <vector>
+
+#include <scree/overlap/shape.hpp>
+
+namespace scree {
+
+/// A convex part of a body.
+struct BodyPart {
+    std::shared_ptr<const Shape> shape;
+    Pose local;         ///< of the shape, in the body's frame
+    double volume = 0;  ///< [m³]; infinite for a half-space
+};
+
+/// The exact shape that a Bullet shape stands for.
+struct BodyShape {
+    std::vector<BodyPart> parts;
+    double volume = 0;  ///< [m³], the parts' sum
+    double radius = 0;  ///< [m], of a ball about the body's origin that holds all parts
+};
+
+/// Turns Bullet's shapes into exact ones. Equal parts are made once and shared.
+class ShapeLibrary {
+  public:
+    /// PolyhedronShape gives its polyhedron, btBoxShape the box with its margin, btConvexHullShape the hull
+    /// of its points without margin, btSphereShape, btStaticPlaneShape, and btCompoundShape the parts of its
+    /// children. Throws std::invalid_argument, naming the shape, for all others and for a hull without
+    /// volume.
+    BodyShape translate(const btCollisionShape& shape);
+
+  private:
+    /// What defines a part: Bullet's type number, then sizes or points.
+    using Recipe = std::vector<double>;
+
+    void add_parts(const btCollisionShape& shape, const Pose& local, BodyShape& body);
+    std::shared_ptr<const Shape> simple_shape(const btCollisionShape& shape);
+    void drop_unused();
+
+    std::map<Recipe, std::weak_ptr<const Shape>> known_;
+    std::size_t kept_ = 0;  ///< entries after the last clean-up
+};
+
+}  // namespace scree

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <scree/contact/material.hpp>
+#include <scree/detect/body_shape.hpp>
+
+namespace scree {
+
+/// e = exp(−2ζ arccos ζ/√(1−ζ²)): the restitution of a linear spring and dashpot that cannot pull, of damping
+/// ratio ζ in [0, 1].
+double restitution(double damping_ratio);
+
+/// The inverse of that; 1 for a restitution that no ζ up to 1 gives, 0 for restitutions of 1 and more.
+double damping_ratio(double restitution);
+
+/// γn of a damping ratio at a face of area Lc², from ζ = γn √A/(2 Lc).
+double normal_damping(double damping_ratio);
+
+/// The least volume [m³] that a shape has below flat ground when it rests there, a face or a cap down, and
+/// has sunk in by `depth` [m].
+double resting_volume(const Shape& shape, double depth);
+
+/// What is known of a body that was given no material.
+struct UnnamedBody {
+    double mass = 0;      ///< [kg]; infinite: forces do not move it
+    double radius = 0;    ///< ℓ [m], of the sphere of the body's volume
+    double friction = 0;  ///< as Bullet has them
+    double restitution = 0;
+};
+
+/// A Young's modulus with which the body, resting on one of its faces under its own weight, sinks in by 10⁻⁴
+/// ℓ at most; damping by its restitution. `gravity` [m/s²] counts as 9.81 when it is less. A body that forces
+/// do not move has an infinite modulus: that of whatever it touches.
+Material automatic_material(const UnnamedBody& body, const BodyShape& shape, double gravity);
+
+}  // namespace scree

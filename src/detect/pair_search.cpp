@@ -1,0 +1,164 @@
+#include <scree/detect/pair_search.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <BulletCollision/BroadphaseCollision/btDbvtBroadphase.h>
+
+#include <scree/detect/convert.hpp>
+
+namespace scree {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double fatness = 0.05;  // of a body's radius, by which Bullet's tree may enlarge its box
+
+// Bullet's tree enlarges boxes by a length of its own, a global one that suits bodies of a metre.
+class TreeMargin {
+  public:
+    TreeMargin() : kept_(gDbvtMargin) {}
+    ~TreeMargin() { gDbvtMargin = kept_; }
+    TreeMargin(const TreeMargin&) = delete;
+    TreeMargin& operator=(const TreeMargin&) = delete;
+
+    static void set(double margin) { gDbvtMargin = margin; }
+
+  private:
+    btScalar kept_;
+};
+
+bool apart(const Bounds& a, const Bounds& b, double reach) {
+    return (a.low - b.high).maxCoeff() > reach || (b.low - a.high).maxCoeff() > reach;
+}
+
+bool same(const btVector3& a, const btVector3& b) {
+    return to_eigen(a) == to_eigen(b);
+}
+
+}  // namespace
+
+double largest_move(const Pose& from, const Pose& to, double radius) {
+    const double half_turn = (to.orientation * from.orientation.conjugate()).vec().norm();  // its sine
+    return (to.position - from.position).norm() + (half_turn > 0 ? 2 * radius * half_turn : 0);
+}
+
+const std::vector<PartPair>& PairSearch::find(btCollisionWorld& world, std::span<const SearchBody> bodies) {
+    place(world, bodies);
+    world.computeOverlappingPairs();
+    number_objects(world, bodies);
+    pairs_.clear();
+    const btBroadphasePairArray& found = world.getPairCache()->getOverlappingPairArray();
+    for (int i = 0; i < found.size(); ++i) {
+        const int one = number_of(*found[i].m_pProxy0);
+        const int other = number_of(*found[i].m_pProxy1);
+        if (one >= 0 && other >= 0) {
+            add_pairs(std::min(one, other), std::max(one, other), *world.getDispatcher(), bodies);
+        }
+    }
+    std::sort(pairs_.begin(), pairs_.end());
+    return pairs_;
+}
+
+void PairSearch::place(btCollisionWorld& world, std::span<const SearchBody> bodies) {
+    const TreeMargin margin;
+    parts_.clear();
+    first_part_.clear();
+    for (const SearchBody& body : bodies) {
+        const Bounds box = place_parts(body);
+        // Bullet's trees take no infinities.
+        const auto finite = [](const Vec3& v) -> btVector3 {
+            return to_bullet(v.cwiseMax(-BT_LARGE_FLOAT).cwiseMin(BT_LARGE_FLOAT));
+        };
+        const btVector3 low = finite(box.low.array() - body.reach);
+        const btVector3 high = finite(box.high.array() + body.reach);
+        btBroadphaseProxy* proxy = body.object->getBroadphaseHandle();
+        if (!same(low, proxy->m_aabbMin) || !same(high, proxy->m_aabbMax)) {
+            TreeMargin::set(std::isfinite(body.shape->radius) ? fatness * body.shape->radius : 0);
+            world.getBroadphase()->setAabb(proxy, low, high, world.getDispatcher());
+        }
+    }
+}
+
+Bounds PairSearch::place_parts(const SearchBody& body) {
+    first_part_.push_back(parts_.size());
+    Bounds all{Vec3::Constant(infinity), Vec3::Constant(-infinity)};
+    for (const BodyPart& part : body.shape->parts) {
+        const Pose pose = body.pose * part.local;
+        const Bounds box = bounds(*part.shape, pose);
+        parts_.push_back({part.shape.get(), pose, box, bounding_radius(*part.shape)});
+        all = {all.low.cwiseMin(box.low), all.high.cwiseMax(box.high)};
+    }
+    return all;
+}
+
+void PairSearch::number_objects(const btCollisionWorld& world, std::span<const SearchBody> bodies) {
+    numbers_.assign(static_cast<std::size_t>(world.getNumCollisionObjects()), -1);
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+        numbers_[static_cast<std::size_t>(bodies[b].object->getWorldArrayIndex())] = static_cast<int>(b);
+    }
+}
+
+int PairSearch::number_of(const btBroadphaseProxy& proxy) const {
+    const auto* object = static_cast<const btCollisionObject*>(proxy.m_clientObject);
+    return numbers_[static_cast<std::size_t>(object->getWorldArrayIndex())];
+}
+
+void PairSearch::add_pairs(int a, int b, btDispatcher& dispatcher, std::span<const SearchBody> bodies) {
+    const SearchBody& body_a = bodies[static_cast<std::size_t>(a)];
+    const SearchBody& body_b = bodies[static_cast<std::size_t>(b)];
+    if (!body_a.dynamic && !body_b.dynamic) {
+        return;
+    }
+    const double reach = body_a.reach + body_b.reach;
+    const PlacedPart* parts_a = &parts_[first_part_[static_cast<std::size_t>(a)]];
+    const PlacedPart* parts_b = &parts_[first_part_[static_cast<std::size_t>(b)]];
+    bool wanted = false;  // asked once a pair of bodies, and only of those that are near
+    for (std::size_t i = 0; i < body_a.shape->parts.size(); ++i) {
+        for (std::size_t j = 0; j < body_b.shape->parts.size(); ++j) {
+            if (!near(parts_a[i], parts_b[j], reach)) {
+                continue;
+            }
+            wanted = wanted || (dispatcher.needsCollision(body_a.object, body_b.object) &&
+                                dispatcher.needsResponse(body_a.object, body_b.object));
+            if (!wanted) {
+                return;
+            }
+            pairs_.push_back({a, b, static_cast<int>(i), static_cast<int>(j)});
+        }
+    }
+}
+
+bool PairSearch::near(const PlacedPart& a, const PlacedPart& b, double reach) {
+    if (apart(a.box, b.box, reach)) {
+        return false;
+    }
+    if (const auto* ground = std::get_if<HalfSpace>(a.shape)) {
+        return height_above(*ground, a, b) <= reach;
+    }
+    if (const auto* ground = std::get_if<HalfSpace>(b.shape)) {
+        return height_above(*ground, b, a) <= reach;
+    }
+    const double sum = a.radius + b.radius + reach;
+    return (a.pose.position - b.pose.position).squaredNorm() <= sum * sum;
+}
+
+// Of the part's lowest point [m].
+double PairSearch::height_above(const HalfSpace& ground, const PlacedPart& at, const PlacedPart& part) {
+    const Vec3 normal = at.pose.orientation * ground.normal;
+    const double origin = normal.dot(part.pose.position - at.pose.position) - ground.offset;
+    const auto* solid = std::get_if<ConvexPolyhedron>(part.shape);
+    if (solid == nullptr) {
+        const bool sphere = std::holds_alternative<Sphere>(*part.shape);
+        return sphere ? origin - part.radius : infinity;  // two half-spaces make no contact
+    }
+    const Vec3 up = part.pose.orientation.conjugate() * normal;
+    double lowest = infinity;
+    for (const Vec3& vertex : solid->vertices) {
+        lowest = std::min(lowest, up.dot(vertex));
+    }
+    return origin + lowest;
+}
+
+}  // namespace scree

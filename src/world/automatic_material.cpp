@@ -1,0 +1,107 @@
+#include <scree/world/automatic_material.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <scree/mesh/mass_properties.hpp>
+#include <scree/overlap/overlap.hpp>
+
+namespace scree {
+
+namespace {
+
+constexpr double sinking = 1e-4;        // of ℓ
+constexpr double least_gravity = 9.81;  // [m/s²]
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+double volume_below(const Shape& shape, const HalfSpace& ground) {
+    OverlapWorkspace workspace;
+    ContactGeometry geometry;
+    const bool any = overlap(shape, Pose(), ground, Pose(), Detail::force, false, workspace, geometry);
+    return any ? geometry.volume : 0;
+}
+
+// Whether the solid stays on a face that lies on the ground: its centroid is above the face.
+bool rests_on(const ConvexPolyhedron& solid, int face, const Vec3& centroid) {
+    const auto begin = static_cast<std::size_t>(solid.face_begin[static_cast<std::size_t>(face)]);
+    const auto end = static_cast<std::size_t>(solid.face_begin[static_cast<std::size_t>(face) + 1]);
+    const Vec3& normal = solid.planes[static_cast<std::size_t>(face)].normal;
+    for (std::size_t e = begin; e < end; ++e) {
+        const Vec3& here = solid.vertices[static_cast<std::size_t>(solid.half_edges[e].vertex)];
+        const std::size_t after = e + 1 < end ? e + 1 : begin;
+        const Vec3& next = solid.vertices[static_cast<std::size_t>(solid.half_edges[after].vertex)];
+        if ((next - here).cross(centroid - here).dot(normal) < 0) {
+            return false;
+        }
+    }
+    return true;
+}
+
+double resting_volume_of(const ConvexPolyhedron& solid, const Shape& shape, double depth) {
+    const Vec3 centroid = mass_properties(solid).centroid;
+    double least = infinity;
+    for (int f = 0; f < solid.face_count(); ++f) {
+        if (rests_on(solid, f, centroid)) {
+            const Plane& face = solid.planes[static_cast<std::size_t>(f)];
+            least = std::min(least, volume_below(shape, {-face.normal, depth - face.offset}));
+        }
+    }
+    return least;
+}
+
+}  // namespace
+
+// Written in θ = arccos ζ as exp(−2ζ θ/sin θ), whose limit at ζ = 1 is e⁻².
+double restitution(double damping_ratio) {
+    const double sine = std::sqrt((1 - damping_ratio) * (1 + damping_ratio));
+    const double ratio = sine > 1e-8 ? std::acos(damping_ratio) / sine : 1;
+    return std::exp(-2 * damping_ratio * ratio);
+}
+
+double damping_ratio(double wanted) {
+    if (wanted <= restitution(1)) {
+        return 1;
+    }
+    double low = 0;
+    double high = 1;
+    for (int halving = 0; halving < 60; ++halving) {
+        const double middle = 0.5 * (low + high);
+        (restitution(middle) > wanted ? low : high) = middle;
+    }
+    return wanted < 1 ? 0.5 * (low + high) : 0;
+}
+
+double normal_damping(double damping_ratio) {
+    return 2 * damping_ratio;
+}
+
+double resting_volume(const Shape& shape, double depth) {
+    if (const auto* solid = std::get_if<ConvexPolyhedron>(&shape)) {
+        return resting_volume_of(*solid, shape, depth);
+    }
+    if (const auto* sphere = std::get_if<Sphere>(&shape)) {
+        return volume_below(shape, {Vec3::UnitZ(), depth - sphere->radius});
+    }
+    return infinity;
+}
+
+Material automatic_material(const UnnamedBody& body, const BodyShape& shape, double gravity) {
+    Material material;
+    material.friction = std::max(body.friction, 0.0);
+    material.normal_damping = normal_damping(damping_ratio(body.restitution));
+    material.youngs_modulus = infinity;
+    if (std::isinf(body.mass)) {
+        return material;
+    }
+    material.density = body.mass / shape.volume;
+    double volume = infinity;
+    for (const BodyPart& part : shape.parts) {
+        volume = std::min(volume, resting_volume(*part.shape, sinking * body.radius));
+    }
+    const double length = characteristic_length({body.mass, body.radius}, {});
+    material.youngs_modulus = body.mass * std::max(gravity, least_gravity) * length / volume;
+    return material;
+}
+
+}  // namespace scree

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <btBulletDynamicsCommon.h>
+
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include <scree/detect/body_shape.hpp>
+#include <scree/dynamics/step_problem.hpp>
+
+namespace scree {
+
+/// How a body moves.
+enum class Motion {
+    fixed,
+    prescribed,  ///< Bullet's kinematic bodies: towards a target
+    dynamic,     ///< by forces
+};
+
+/// One of Bullet's bodies in this world, with what the system does not keep of it.
+struct WorldBody {
+    btCollisionObject* object = nullptr;             ///< null: removed since the last tick
+    btRigidBody* rigid = nullptr;                    ///< the same, null for a plain collision object
+    const btCollisionShape* bullet_shape = nullptr;  ///< that `shape` was made from
+    BodyShape shape;
+    bool contacts_end = false;  ///< the shape is another one
+    Motion motion = Motion::fixed;
+    double friction = 0;     ///< Bullet's, as last seen
+    double restitution = 0;  ///< Bullet's, as last seen
+
+    btTransform transform;  ///< as last read or written
+    btVector3 velocity;
+    btVector3 spin;
+};
+
+/// What reading the bodies has shown to be other than the method left it.
+struct Changes {
+    bool states = false;     ///< a pose, a velocity, a mass, a body more or less: the method starts afresh
+    bool constants = false;  ///< something that pair constants are made of
+};
+
+/// The bodies of a world in the order in which they were added: between Bullet's and the system's.
+class Bodies {
+  public:
+    explicit Bodies(System& system) : system_(system) {}
+
+    /// Throws std::invalid_argument, and adds nothing, for what cannot be done.
+    void add(btCollisionObject& object);
+    /// Marks it; it stays in the system until the next drop_removed().
+    void remove(const btCollisionObject& object);
+    /// −1: not here.
+    [[nodiscard]] int number(const btCollisionObject& object) const;
+
+    /// Takes out what was removed and follows changes of shape. Returns the new numbers by the old ones, −1
+    /// where a body's contacts end; empty when all is as it was.
+    std::vector<int> drop_removed();
+
+    /// Forces, masses, and what was set from outside since the last write. `tick` [s]; `left` [s] to the end
+    /// of stepSimulation's time, when prescribed bodies are to have reached their targets.
+    Changes read(double tick, double left);
+
+    /// Hands the states of dynamic bodies to Bullet. `arrived`: prescribed bodies are at their targets.
+    void write(bool arrived);
+
+    [[nodiscard]] std::span<const WorldBody> all() const { return bodies_; }
+
+  private:
+    static void check(const btCollisionObject& object);
+    static void check_motion(const WorldBody& body);
+    BodyShape translate(const btCollisionObject& object);
+    void follow_shapes();
+    void read_one(std::size_t number, double tick, double left, Changes& changes);
+    void read_motion(std::size_t number, double left, Changes& changes);
+
+    System& system_;
+    ShapeLibrary library_;
+    std::vector<WorldBody> bodies_;
+    std::unordered_map<const btCollisionObject*, int> numbers_;
+    bool added_or_removed_ = false;
+};
+
+}  // namespace scree

@@ -1,0 +1,144 @@
+#include <scree/world/dynamics_world.hpp>
+
+#include <stdexcept>
+
+#include "world_implementation.hpp"
+
+namespace scree {
+
+DynamicsWorld::DynamicsWorld(btDispatcher* dispatcher, btBroadphaseInterface* pairs,
+                             btConstraintSolver* solver, btCollisionConfiguration* configuration)
+    : btDiscreteDynamicsWorld(dispatcher, pairs, solver, configuration),
+      implementation_(std::make_unique<WorldImplementation>()) {}
+
+DynamicsWorld::~DynamicsWorld() = default;
+
+void DynamicsWorld::set_stepping(const SteppingOptions& options) {
+    implementation_->set_stepping(options);
+}
+
+void DynamicsWorld::set_material(const btRigidBody& body, const Material& material) {
+    implementation_->materials().give(body, material);
+    implementation_->constants_changed();
+}
+
+Material DynamicsWorld::material(const btRigidBody& body) const {
+    return implementation_->material(body, getGravity().length());
+}
+
+void DynamicsWorld::set_mixing(Mixing mixing) {
+    implementation_->materials().set_mixing(std::move(mixing));
+    implementation_->constants_changed();
+}
+
+void DynamicsWorld::set_forces(std::unique_ptr<ContactForces> forces) {
+    implementation_->law().set(std::move(forces));
+}
+
+const StepReport& DynamicsWorld::step_report() const {
+    return implementation_->report();
+}
+
+const System& DynamicsWorld::system() const {
+    return implementation_->system();
+}
+
+std::span<const ContactResult> DynamicsWorld::contact_results() const {
+    return implementation_->results();
+}
+
+int DynamicsWorld::body_number(const btCollisionObject& body) const {
+    return implementation_->bodies().number(body);
+}
+
+int DynamicsWorld::stepSimulation(btScalar time, int max_ticks, btScalar tick) {
+    const std::size_t before = step_report().ticks;
+    const int asked = btDiscreteDynamicsWorld::stepSimulation(time, max_ticks, tick);
+    return step_report().failed ? static_cast<int>(step_report().ticks - before) : asked;
+}
+
+void DynamicsWorld::saveKinematicState(btScalar time) {
+    // Bullet may have put a body to sleep, or its user may have; here all are awake.
+    for (int i = 0; i < m_nonStaticRigidBodies.size(); ++i) {
+        const int state = m_nonStaticRigidBodies[i]->getActivationState();
+        if (state == ISLAND_SLEEPING || state == WANTS_DEACTIVATION) {
+            m_nonStaticRigidBodies[i]->forceActivationState(ACTIVE_TAG);
+        }
+    }
+    btDiscreteDynamicsWorld::saveKinematicState(time);
+    implementation_->begin_call(time);
+}
+
+void DynamicsWorld::internalSingleStepSimulation(btScalar tick) {
+    if (step_report().failed) {
+        return;
+    }
+    if (m_internalPreTickCallback != nullptr) {
+        m_internalPreTickCallback(this, tick);
+    }
+    getDispatchInfo().m_timeStep = tick;
+    getSolverInfo().m_timeStep = tick;
+    update_sensors();
+    if (!implementation_->run(*this, tick, getGravity().length())) {
+        return;
+    }
+    updateActions(tick);
+    if (m_internalTickCallback != nullptr) {
+        m_internalTickCallback(this, tick);
+    }
+}
+
+void DynamicsWorld::addConstraint(btTypedConstraint* /*constraint*/, bool /*disable_collisions*/) {
+    throw std::invalid_argument("joints are not done: scree::DynamicsWorld takes no constraints");
+}
+
+// Before Bullet's own part, so that a body that is refused is not added at all.
+void DynamicsWorld::addRigidBody(btRigidBody* body) {
+    implementation_->bodies().add(*body);
+    btDiscreteDynamicsWorld::addRigidBody(body);
+}
+
+void DynamicsWorld::addRigidBody(btRigidBody* body, int group, int mask) {
+    implementation_->bodies().add(*body);
+    btDiscreteDynamicsWorld::addRigidBody(body, group, mask);
+}
+
+void DynamicsWorld::removeRigidBody(btRigidBody* body) {
+    forget(*body);
+    btDiscreteDynamicsWorld::removeRigidBody(body);
+}
+
+// Bullet hands rigid bodies through here as well.
+void DynamicsWorld::addCollisionObject(btCollisionObject* object, int group, int mask) {
+    const bool sensor = btRigidBody::upcast(object) == nullptr && !object->hasContactResponse();
+    if (!sensor && body_number(*object) < 0) {
+        implementation_->bodies().add(*object);
+    }
+    btDiscreteDynamicsWorld::addCollisionObject(object, group, mask);
+}
+
+void DynamicsWorld::removeCollisionObject(btCollisionObject* object) {
+    forget(*object);
+    btDiscreteDynamicsWorld::removeCollisionObject(object);
+}
+
+void DynamicsWorld::forget(const btCollisionObject& object) {
+    implementation_->bodies().remove(object);
+    implementation_->materials().forget(object);
+}
+
+void DynamicsWorld::updateAabbs() {
+    update_sensors();
+    implementation_->place(*this);
+}
+
+// Objects that are no bodies here keep Bullet's own bounds.
+void DynamicsWorld::update_sensors() {
+    for (int i = 0; i < m_collisionObjects.size(); ++i) {
+        if (body_number(*m_collisionObjects[i]) < 0) {
+            updateSingleAabb(m_collisionObjects[i]);
+        }
+    }
+}
+
+}  // namespace scree

@@ -1,0 +1,236 @@
+#include "world_implementation.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <sstream>
+#include <stdexcept>
+
+#include <scree/detect/convert.hpp>
+
+namespace scree {
+
+namespace {
+
+// Adds the wall time of its own life to a sum [s].
+class Stopwatch {
+  public:
+    explicit Stopwatch(double& sum) : sum_(sum) {}
+    ~Stopwatch() { sum_ += std::chrono::duration<double>(Clock::now() - start_).count(); }
+    Stopwatch(const Stopwatch&) = delete;
+    Stopwatch& operator=(const Stopwatch&) = delete;
+
+  private:
+    using Clock = std::chrono::steady_clock;
+    double& sum_;
+    Clock::time_point start_ = Clock::now();
+};
+
+}  // namespace
+
+bool WorldImplementation::run(btCollisionWorld& world, double tick, double gravity) {
+    const double end = clock_.next(tick);
+    const bool read = guarded([&] {
+        read_bodies(tick);
+        prepare_stepper(gravity);
+    });
+    if (!read) {
+        return false;
+    }
+    const bool stepped = guarded([&] {
+        find_pairs(world, end);
+        step_to(world, end);
+    });
+    write_bodies(tick);
+    take_stock();
+    return stepped;
+}
+
+// Nothing is thrown out of a tick: what goes wrong in it is reported.
+bool WorldImplementation::guarded(const std::function<void()>& part) {
+    try {
+        part();
+    } catch (const std::exception& error) {
+        report_.failed = true;
+        report_.message = error.what();
+    }
+    return !report_.failed;
+}
+
+void WorldImplementation::read_bodies(double tick) {
+    if (const std::vector<int> numbers = bodies_.drop_removed(); !numbers.empty()) {
+        list_.renumber(numbers);
+        restart_ = constants_changed_ = true;
+    }
+    call_left_ = std::max(call_left_, tick);
+    const Changes changes = bodies_.read(tick, call_left_);
+    restart_ = restart_ || changes.states;
+    constants_changed_ = constants_changed_ || changes.constants;
+}
+
+// A stepper lives as long as its options; what an old one has counted is kept.
+void WorldImplementation::prepare_stepper(double gravity) {
+    if (gravity != options_.tolerances.gravity) {
+        options_.tolerances.gravity = gravity;
+        constants_changed_ = true;
+        drop_stepper();
+    }
+    if (!stepper_) {
+        stepper_ = std::make_unique<Stepper>(system_, law_, options_);
+        restart_ = true;
+    }
+    if (constants_changed_) {
+        materials_.prepare(bodies_.all(), system_.bodies, gravity);
+        for (Contact& contact : system_.contacts) {
+            contact.pair = constants(contact.a.body, contact.b.body);
+        }
+        constants_changed_ = false;
+    }
+}
+
+void WorldImplementation::drop_stepper() {
+    if (stepper_) {
+        add(steps_before_, stepper_->statistics());
+        add(newton_before_, stepper_->newton());
+        evaluations_before_ += stepper_->problem().evaluations();
+        stepper_.reset();
+    }
+}
+
+void WorldImplementation::find_pairs(btCollisionWorld& world, double end) {
+    const Stopwatch watch(report_.times.detection);
+    const double now = restart_ ? clock_.now() : stepper_->time();
+    cover_.lay(system_, bodies_.all(), end - now, stepper_->last_step());
+    const bool renewed = list_.renew(search_.find(world, cover_.bodies()),
+                                     [this](const PartPair& pair) { return make_contact(pair); });
+    if (renewed) {
+        stepper_->contacts_renewed();
+    }
+    law_.choose(system_.contacts);
+    ++report_.pair_searches;
+}
+
+void WorldImplementation::step_to(btCollisionWorld& world, double end) {
+    const double detection = report_.times.detection;
+    const Stopwatch watch(report_.times.stepping);
+    stepper_->set_covered([&](std::span<const TrialBody> trial) {
+        const bool covered = cover_.holds(trial);
+        if (!covered) {
+            find_pairs(world, end);
+        }
+        return covered;
+    });
+    if (restart_) {
+        stepper_->restart(clock_.now());
+        restart_ = false;
+    }
+    while (!system_.bodies.empty() && stepper_->time() < end) {
+        if (!cover_.lasts(system_, end - stepper_->time(), stepper_->last_step())) {
+            find_pairs(world, end);
+        }
+        const SteppingStatistics before = stepper_->statistics();
+        if (!stepper_->step(end)) {
+            throw std::runtime_error(why_no_step(before));
+        }
+    }
+    report_.times.stepping -= report_.times.detection - detection;
+}
+
+Contact WorldImplementation::make_contact(const PartPair& pair) const {
+    const auto collider = [this](int body, int part) -> Collider {
+        const WorldBody& owner = bodies_.all()[static_cast<std::size_t>(body)];
+        const BodyPart& own = owner.shape.parts[static_cast<std::size_t>(part)];
+        return {body, own.shape.get(), own.local};
+    };
+    return {collider(pair.body_a, pair.part_a),
+            collider(pair.body_b, pair.part_b),
+            constants(pair.body_a, pair.body_b),
+            {}};
+}
+
+PairConstants WorldImplementation::constants(int a, int b) const {
+    return materials_.constants(bodies_.all(), system_.bodies, static_cast<std::size_t>(a),
+                                static_cast<std::size_t>(b));
+}
+
+void WorldImplementation::write_bodies(double tick) {
+    call_left_ -= tick;
+    if (!report_.failed) {
+        clock_.advance();
+        ++report_.ticks;
+    }
+    bodies_.write(!report_.failed && call_left_ < 0.5 * tick);
+    const bool started = stepper_ && !restart_ && !system_.bodies.empty();
+    report_.time = started ? stepper_->time() : clock_.now();
+}
+
+void WorldImplementation::take_stock() {
+    report_.steps = steps_before_;
+    report_.newton = newton_before_;
+    add(report_.steps, stepper_->statistics());
+    add(report_.newton, stepper_->newton());
+    report_.contact_evaluations = evaluations_before_ + stepper_->problem().evaluations();
+    report_.contacts = 0;
+    const std::span<const ContactResult> done = results();
+    for (std::size_t i = 0; i < done.size(); ++i) {
+        if (!done[i].touching) {
+            continue;
+        }
+        ++report_.contacts;
+        const Contact& contact = system_.contacts[i];
+        for (const int number : {contact.a.body, contact.b.body}) {
+            const Body& body = system_.bodies[static_cast<std::size_t>(number)];
+            if (body.dynamic()) {
+                report_.largest_overlap = std::max(report_.largest_overlap, done[i].depth / body.radius);
+            }
+        }
+    }
+    report_.most_contacts = std::max(report_.most_contacts, report_.contacts);
+}
+
+std::span<const ContactResult> WorldImplementation::results() const {
+    if (!stepper_ || stepper_->problem().results().size() != system_.contacts.size()) {
+        return {};
+    }
+    return stepper_->problem().results();
+}
+
+std::string WorldImplementation::why_no_step(const SteppingStatistics& before) const {
+    const SteppingStatistics& now = stepper_->statistics();
+    const std::size_t unsolved = now.rejected_newton - before.rejected_newton;
+    const std::size_t inexact = now.rejected_error - before.rejected_error;
+    std::ostringstream why;
+    why << "no step could be made at t = " << stepper_->time()
+        << " s: Newton's iteration did not converge in " << unsolved
+        << " attempts and the error was too large in " << inexact
+        << ", down to the smallest step that is tried";
+    return why.str();
+}
+
+void WorldImplementation::place(btCollisionWorld& world) {
+    std::vector<SearchBody> present;
+    for (const WorldBody& body : bodies_.all()) {
+        if (body.object != nullptr) {
+            present.push_back(
+                {body.object, &body.shape, to_eigen(body.object->getWorldTransform()), 0, false});
+        }
+    }
+    search_.place(world, present);
+}
+
+void WorldImplementation::set_stepping(const SteppingOptions& options) {
+    const double gravity = options_.tolerances.gravity;
+    options_ = options;
+    options_.tolerances.gravity = gravity;
+    drop_stepper();
+}
+
+Material WorldImplementation::material(const btRigidBody& body, double gravity) const {
+    const int number = bodies_.number(body);
+    if (number < 0) {
+        throw std::invalid_argument("a body that is not in this world has no material here");
+    }
+    return materials_.of(bodies_.all()[static_cast<std::size_t>(number)],
+                         system_.bodies[static_cast<std::size_t>(number)], gravity);
+}
+
+}  // namespace scree
