@@ -25,7 +25,11 @@ void StepProblem::place_bodies(const Eigen::VectorXd& u) {
         const auto row = static_cast<Eigen::Index>(6 * b);
         body.velocity = u.segment<3>(row);
         body.spin = u.segment<3>(row + 3);
-        place(starts_[b], formulas_, body);
+        if (system_.bodies[b].dynamic()) {
+            place(starts_[b], formulas_, body);
+        } else {
+            place_prescribed(system_.states[b], starts_[b], formulas_, body);
+        }
     }
 }
 

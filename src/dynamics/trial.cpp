@@ -9,13 +9,9 @@ StepFormula StepFormulas::friction(std::size_t age) const {
     return {std::span(past[own - 1]).first(own), friction_beta_h[own - 1]};
 }
 
-void place(const BodyStart& start, const StepFormulas& formulas, TrialBody& body) {
-    const double beta_h = formulas.beta_h;
-    body.pose.position = start.position + beta_h * body.velocity;
-    const Vec3 half = 0.5 * beta_h * body.spin;
-    const Quat step(1, half.x(), half.y(), half.z());
-    body.pose.orientation = (step * Quat(start.orientation)).normalized();
-    body.turn_rate = beta_h / (1 + half.squaredNorm()) * (Mat3::Identity() + cross_matrix(half));
+namespace {
+
+void set_turns(const BodyStart& start, const StepFormulas& formulas, TrialBody& body) {
     for (std::size_t j = 0; j < formulas.order; ++j) {
         Quat turn = body.pose.orientation * start.past_orientations[j].conjugate();
         if (turn.w() < 0) {
@@ -23,6 +19,30 @@ void place(const BodyStart& start, const StepFormulas& formulas, TrialBody& body
         }
         body.turns[j] = turn;
     }
+}
+
+}  // namespace
+
+void place(const BodyStart& start, const StepFormulas& formulas, TrialBody& body) {
+    const double beta_h = formulas.beta_h;
+    body.pose.position = start.position + beta_h * body.velocity;
+    const Vec3 half = 0.5 * beta_h * body.spin;
+    const Quat step(1, half.x(), half.y(), half.z());
+    body.pose.orientation = (step * Quat(start.orientation)).normalized();
+    body.turn_rate = beta_h / (1 + half.squaredNorm()) * (Mat3::Identity() + cross_matrix(half));
+    set_turns(start, formulas, body);
+}
+
+void place_prescribed(const BodyState& last, const BodyStart& start, const StepFormulas& formulas,
+                      TrialBody& body) {
+    body.pose = {last.position + formulas.step * body.velocity, last.orientation};
+    const double speed = body.spin.norm();
+    if (speed > 0) {
+        const Quat turn(Eigen::AngleAxisd(formulas.step * speed, body.spin / speed));
+        body.pose.orientation = (turn * last.orientation).normalized();
+    }
+    body.turn_rate = formulas.beta_h * Mat3::Identity();
+    set_turns(start, formulas, body);
 }
 
 }  // namespace scree

@@ -30,6 +30,7 @@ struct BodyStart {
 /// The linear formulas of one trial step.
 struct StepFormulas {
     std::size_t order = 1;
+    double step = 0;                                                      ///< [s]
     double beta_h = 0;                                                    ///< [s], of the bodies' formula
     std::array<std::array<double, highest_order>, highest_order> past{};  ///< [order − 1][j]
     std::array<double, highest_order> friction_beta_h{};                  ///< [order − 1]
@@ -42,5 +43,9 @@ struct StepFormulas {
 /// The pose that follows from velocities: x = x_start + βh v, and q ∝ (1 + ½βh ω) ∘ q_start, which is the
 /// formula on the four components solved for q and normalised.
 void place(const BodyStart& start, const StepFormulas& formulas, TrialBody& body);
+
+/// Of a prescribed body: from its last pose straight on and turning steadily, whatever it did before.
+void place_prescribed(const BodyState& last, const BodyStart& start, const StepFormulas& formulas,
+                      TrialBody& body);
 
 }  // namespace scree
