@@ -21,6 +21,7 @@ constexpr std::size_t brisk = 6;  // iterations a step, above which it does not 
 constexpr std::size_t hard = 10;  // above which it shrinks, for the sake of the work per second
 constexpr double easing = 0.7;
 constexpr double smallest_share = 1e-9;   // of a tick, below which a step is not tried
+constexpr std::size_t most_renewals = 4;  // of the candidate pairs, before the step is cut
 constexpr std::size_t most_failures = 3;  // before order 1
 
 double gain(double error, double with_bias, std::size_t order) {
@@ -89,7 +90,9 @@ bool Stepper::shrink(Attempt why, double step, double tick) {
     if (why == Attempt::not_covered) {
         ++statistics_.rejected_contact;
         newton_.forget();
-        return true;
+        if (++renewals_ <= most_renewals) {
+            return true;
+        }
     }
     ++failures_;
     held_ = 0;

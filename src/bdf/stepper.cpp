@@ -12,66 +12,48 @@ constexpr double first_share = 1e-3;   // of the time to fall or move by one's o
 
 }  // namespace
 
-Stepper::Stepper(System& system, ContactForces& forces, const SteppingOptions& options)
-    : system_(system), options_(options), problem_(system, forces) {}
-
 void Stepper::restart(double time) {
     time_ = time;
     order_ = 1;
     held_ = 0;
     failures_ = 0;
     newton_.forget();
+    for (Contact& contact : system_.contacts) {
+        contact.history.age = std::min<std::size_t>(contact.history.age, 1);
+    }
+    evaluate_present(u_);
+    first_force_ = problem_.forces();
+    first_torque_ = problem_.torques();
+    open_ledger();
     history_.restart(time, system_.states, sums_);
-    u_.resize(static_cast<Eigen::Index>(6 * system_.bodies.size()));
-    // The forces at the start, for the first error estimate.
-    StepFormulas formulas;
-    formulas.past[0][0] = 1;
-    history_.start({{1}, 0}, 1, starts_);
-    problem_.begin(formulas, starts_);
+    const double first = first_step();
+    step_ = step_ > 0 ? std::min(step_, first) : first;
+}
+
+double Stepper::first_step() const {
+    const double gravity = options_.tolerances.gravity;
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t b = 0; b < system_.bodies.size(); ++b) {
         const Body& body = system_.bodies[b];
-        u_.segment<3>(static_cast<Eigen::Index>(6 * b)) = velocity(body, system_.states[b]);
-        u_.segment<3>(static_cast<Eigen::Index>(6 * b + 3)) = spin(body, system_.states[b]);
         if (!body.dynamic()) {
             continue;
         }
-        const double g = options_.tolerances.gravity;
-        const double speed =
-            velocity(body, system_.states[b]).norm() + spin(body, system_.states[b]).norm() * body.radius;
-        if (g > 0) {
-            least = std::min(least, std::sqrt(body.radius / g));
+        const BodyState& state = system_.states[b];
+        const double speed = velocity(body, state).norm() + spin(body, state).norm() * body.radius;
+        if (gravity > 0) {
+            least = std::min(least, std::sqrt(body.radius / gravity));
         }
         if (speed > 0) {
             least = std::min(least, body.radius / speed);
         }
     }
-    problem_.evaluate(u_, Detail::force);
-    first_force_ = problem_.forces();
-    first_torque_ = problem_.torques();
-    open_ledger();
-    const double first = first_share * least;
-    step_ = step_ > 0 ? std::min(step_, first) : first;
-}
-
-// What was changed from outside between the last step and now counts as work and impulse from outside.
-void Stepper::open_ledger() {
-    const double held = energy_ledger(system_, problem_.results(), sums_, 0).held();
-    const Vec3 momentum = total_momentum(system_);
-    if (started_) {
-        sums_.applied += held - held_last_;
-        sums_.impulse += momentum - momentum_last_;
-    } else {
-        held_at_start_ = held;
-        momentum_at_start_ = momentum;
-    }
-    started_ = true;
-    history_.restart(time_, system_.states, sums_);
+    return first_share * least;
 }
 
 bool Stepper::step(double end) {
     const double tick = end - time_;
     failures_ = 0;
+    renewals_ = 0;
     while (true) {
         const double step = choose_step(end);
         const double time = step == end - time_ ? end : time_ + step;
@@ -114,6 +96,7 @@ void Stepper::predict(double time) {
     order_ = std::min(order_, history_.count());
     StepFormulas formulas;
     formulas.order = order_;
+    formulas.step = time - time_;
     for (std::size_t q = 1; q <= order_; ++q) {
         formula_ = bdf_formula(time, history_.times(), q);
         formulas.past[q - 1] = formula_.past;
@@ -128,7 +111,7 @@ void Stepper::predict(double time) {
     for (std::size_t b = 0; b < system_.bodies.size(); ++b) {
         const Body& body = system_.bodies[b];
         BodyState state = system_.states[b];
-        for (std::size_t j = 1; j < points; ++j) {
+        for (std::size_t j = 1; body.dynamic() && j < points; ++j) {
             const BodyState& past = history_.states(j)[b];
             state.momentum += weights[j] * (past.momentum - system_.states[b].momentum);
             state.angular_momentum +=
@@ -140,31 +123,11 @@ void Stepper::predict(double time) {
 }
 
 void Stepper::commit(double time) {
-    const auto results = problem_.results();
-    for (std::size_t i = 0; i < results.size(); ++i) {
-        ContactHistory& history = system_.contacts[i].history;
-        if (results[i].law.state == ContactState::open) {
-            history.clear();
-            continue;
-        }
-        history.push(results[i].law.trial);
-        history.centre_line = results[i].centre_line;
-        statistics_.lost_directions += results[i].law.lost_direction;
-        statistics_.centre_lines += results[i].centre_line;
-    }
-    sums_ = history_.start_sums(formula_, problem_.formulas().order);
-    sums_.add(formula_.beta_h, accumulation_rates(system_, problem_));
-    system_.states.swap(trial_states_);
+    const std::size_t order = problem_.formulas().order;
+    Accumulated sums = history_.start_sums(formula_, order);
+    sums.add(formula_.beta_h, accumulation_rates(system_, problem_));
+    accept(time, order, trial_states_, sums);
     history_.push(time, system_.states, sums_);
-    held_last_ = energy_ledger(system_, results, sums_, 0).held();
-    momentum_last_ = total_momentum(system_);
-    last_step_ = time - time_;
-    time_ = time;
-    ++statistics_.accepted;
-    ++statistics_.orders[problem_.formulas().order - 1];
-    statistics_.smallest_step = std::min(statistics_.smallest_step, last_step_);
-    statistics_.largest_step = std::max(statistics_.largest_step, last_step_);
-    statistics_.time_stepped += last_step_;
 }
 
 }  // namespace scree

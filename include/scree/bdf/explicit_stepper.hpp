@@ -1,0 +1,33 @@
+#pragma once
+
+#include <scree/bdf/integrator.hpp>
+
+namespace scree {
+
+/// Symplectic Euler and velocity Verlet with a fixed step, as other discrete element codes have them; beside
+/// the implicit method for comparison. Verlet takes forces at the new positions and the velocities of half a
+/// step.
+class ExplicitStepper final : public Integrator {
+  public:
+    ExplicitStepper(System& system, ContactForces& forces, const SteppingOptions& options)
+        : Integrator(system, forces, options) {}
+
+    void restart(double time) override;
+    bool step(double end) override;
+    [[nodiscard]] std::size_t order() const override {
+        return options_.method == Method::velocity_verlet ? 2 : 1;
+    }
+
+  private:
+    /// Adds the forces of the last evaluation, over `duration` [s], to momenta.
+    void kick(double duration, std::vector<BodyState>& states) const;
+    /// Moves all bodies with the velocities of `states` and computes the forces there.
+    void drift(double step, const std::vector<BodyState>& states);
+    [[nodiscard]] bool finite(const std::vector<BodyState>& states) const;
+
+    std::vector<BodyState> states_;  ///< of the step under way
+    std::vector<BodyStart> starts_;
+    Eigen::VectorXd u_;
+};
+
+}  // namespace scree

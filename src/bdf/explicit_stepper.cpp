@@ -1,0 +1,98 @@
+#include <scree/bdf/explicit_stepper.hpp>
+
+#include <cmath>
+
+namespace scree {
+
+namespace {
+
+constexpr int most_renewals = 8;  // of the candidate pairs in one step
+
+}  // namespace
+
+void ExplicitStepper::restart(double time) {
+    time_ = time;
+    for (Contact& contact : system_.contacts) {
+        contact.history.age = std::min<std::size_t>(contact.history.age, 1);
+    }
+    evaluate_present(u_);
+    open_ledger();
+}
+
+bool ExplicitStepper::step(double end) {
+    const double left = end - time_;
+    const double parts = std::ceil(left / options_.fixed_step * (1 - 1e-9));
+    const double time = parts <= 1 ? end : time_ + left / parts;
+    const double step = time - time_;
+    const bool verlet = options_.method == Method::velocity_verlet;
+    const Accumulated before = accumulation_rates(system_, problem_);
+
+    states_ = system_.states;
+    kick(verlet ? 0.5 * step : step, states_);
+    for (int renewals = 0;; ++renewals) {
+        drift(step, states_);
+        if (!covered_ || covered_(problem_.trial())) {
+            break;
+        }
+        ++statistics_.rejected_contact;
+        if (renewals == most_renewals) {
+            return false;
+        }
+    }
+    if (verlet) {
+        kick(0.5 * step, states_);
+    }
+    for (std::size_t b = 0; b < states_.size(); ++b) {
+        states_[b].position = problem_.trial()[b].pose.position;
+        states_[b].orientation = problem_.trial()[b].pose.orientation;
+    }
+    if (!finite(states_)) {
+        return false;
+    }
+    Accumulated sums = sums_;
+    sums.add(0.5 * step, before).add(0.5 * step, accumulation_rates(system_, problem_));
+    accept(time, order(), states_, sums);
+    return true;
+}
+
+void ExplicitStepper::kick(double duration, std::vector<BodyState>& states) const {
+    for (std::size_t b = 0; b < states.size(); ++b) {
+        if (!system_.bodies[b].dynamic()) {
+            continue;
+        }
+        states[b].momentum += duration * problem_.forces()[b];
+        states[b].angular_momentum += duration * problem_.torques()[b];
+    }
+}
+
+void ExplicitStepper::drift(double step, const std::vector<BodyState>& states) {
+    StepFormulas formulas;
+    formulas.step = step;
+    formulas.step = step;
+    formulas.beta_h = step;
+    formulas.past[0][0] = 1;
+    formulas.friction_beta_h[0] = step;
+    starts_.resize(states.size());
+    for (std::size_t b = 0; b < states.size(); ++b) {
+        const BodyState& old = system_.states[b];
+        starts_[b].position = old.position;
+        starts_[b].orientation = old.orientation.coeffs();
+        starts_[b].past_orientations[0] = old.orientation;
+        u_.segment<3>(static_cast<Eigen::Index>(6 * b)) = velocity(system_.bodies[b], states[b]);
+        u_.segment<3>(static_cast<Eigen::Index>(6 * b + 3)) = spin(system_.bodies[b], states[b]);
+    }
+    problem_.begin(formulas, starts_);
+    problem_.evaluate(u_, Detail::force);
+}
+
+bool ExplicitStepper::finite(const std::vector<BodyState>& states) const {
+    for (const BodyState& state : states) {
+        if (!state.position.allFinite() || !state.momentum.allFinite() ||
+            !state.angular_momentum.allFinite()) {
+            return false;
+        }
+    }
+    return true;
+}
+
+}  // namespace scree

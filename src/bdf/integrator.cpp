@@ -1,0 +1,86 @@
+#include <scree/bdf/integrator.hpp>
+
+#include <stdexcept>
+
+#include <scree/bdf/explicit_stepper.hpp>
+#include <scree/bdf/stepper.hpp>
+
+namespace scree {
+
+EnergyLedger Integrator::energy() const {
+    return energy_ledger(system_, problem_.results(), sums_, held_at_start_);
+}
+
+Vec3 Integrator::momentum_residual() const {
+    return total_momentum(system_) - sums_.impulse - momentum_at_start_;
+}
+
+void Integrator::evaluate_present(Eigen::VectorXd& u) {
+    StepFormulas formulas;
+    formulas.past[0][0] = 1;
+    std::vector<BodyStart> starts(system_.bodies.size());
+    u.resize(static_cast<Eigen::Index>(6 * system_.bodies.size()));
+    for (std::size_t b = 0; b < starts.size(); ++b) {
+        const BodyState& state = system_.states[b];
+        starts[b].position = state.position;
+        starts[b].orientation = state.orientation.coeffs();
+        starts[b].past_orientations[0] = state.orientation;
+        u.segment<3>(static_cast<Eigen::Index>(6 * b)) = velocity(system_.bodies[b], state);
+        u.segment<3>(static_cast<Eigen::Index>(6 * b + 3)) = spin(system_.bodies[b], state);
+    }
+    problem_.begin(formulas, starts);
+    problem_.evaluate(u, Detail::force);
+}
+
+void Integrator::open_ledger() {
+    const double held = energy_ledger(system_, problem_.results(), sums_, 0).held();
+    const Vec3 momentum = total_momentum(system_);
+    if (started_) {
+        sums_.applied += held - held_last_;
+        sums_.impulse += momentum - momentum_last_;
+    } else {
+        held_at_start_ = held;
+        momentum_at_start_ = momentum;
+    }
+    started_ = true;
+}
+
+void Integrator::accept(double time, std::size_t order, std::vector<BodyState>& states,
+                        const Accumulated& sums) {
+    const auto results = problem_.results();
+    for (std::size_t i = 0; i < results.size(); ++i) {
+        ContactHistory& history = system_.contacts[i].history;
+        if (results[i].law.state == ContactState::open) {
+            history.clear();
+            continue;
+        }
+        history.push(results[i].law.trial);
+        history.centre_line = results[i].centre_line;
+        statistics_.lost_directions += results[i].law.lost_direction;
+        statistics_.centre_lines += results[i].centre_line;
+    }
+    system_.states.swap(states);
+    sums_ = sums;
+    held_last_ = energy_ledger(system_, results, sums_, 0).held();
+    momentum_last_ = total_momentum(system_);
+    last_step_ = time - time_;
+    time_ = time;
+    ++statistics_.accepted;
+    ++statistics_.orders[order - 1];
+    statistics_.smallest_step = std::min(statistics_.smallest_step, last_step_);
+    statistics_.largest_step = std::max(statistics_.largest_step, last_step_);
+    statistics_.time_stepped += last_step_;
+}
+
+std::unique_ptr<Integrator> make_integrator(System& system, ContactForces& forces,
+                                            const SteppingOptions& options) {
+    if (options.method == Method::bdf) {
+        return std::make_unique<Stepper>(system, forces, options);
+    }
+    if (!(options.fixed_step > 0)) {
+        throw std::invalid_argument("an explicit method needs a step");
+    }
+    return std::make_unique<ExplicitStepper>(system, forces, options);
+}
+
+}  // namespace scree
