@@ -30,11 +30,18 @@ struct Overlap {
         return overlap_lens(a, pose_a, b, pose_b, geometry);
     }
 
+    bool operator()(const Sphere& a, const ConvexPolyhedron& b) const {
+        return overlap_nearest(a, pose_a, b, pose_b, geometry);
+    }
+
     // What is not known one way round is asked the other way round.
-    template <class A>
-    bool operator()(const HalfSpace& a, const A& b) const {
-        const Overlap turned{pose_b, pose_a, detail, was_centre_line, workspace, geometry};
-        if (!turned(b, a)) {
+    bool operator()(const HalfSpace& a, const ConvexPolyhedron& b) const { return turned(a, b); }
+    bool operator()(const HalfSpace& a, const Sphere& b) const { return turned(a, b); }
+    bool operator()(const ConvexPolyhedron& a, const Sphere& b) const { return turned(a, b); }
+    template <class A, class B>
+    bool turned(const A& a, const B& b) const {
+        const Overlap other{pose_b, pose_a, detail, was_centre_line, workspace, geometry};
+        if (!other(b, a)) {
             return false;
         }
         geometry = exchanged(geometry, pose_a.position - pose_b.position);
@@ -42,12 +49,6 @@ struct Overlap {
     }
     bool operator()(const HalfSpace&, const HalfSpace&) const {
         throw std::invalid_argument("two half-spaces have no bounded overlap");
-    }
-    bool operator()(const Sphere&, const ConvexPolyhedron&) const { return refuse_sphere_on_polyhedron(); }
-    bool operator()(const ConvexPolyhedron&, const Sphere&) const { return refuse_sphere_on_polyhedron(); }
-
-    static bool refuse_sphere_on_polyhedron() {
-        throw std::invalid_argument("a sphere against a polyhedron is not done");
     }
 };
 

@@ -143,10 +143,13 @@ void integrate_boundary(const ClippedSolid& solid, const OverlapPlanes& planes, 
 void measure_patch(const ClippedSolid& solid, ContactGeometry& g) {
     double low = std::numeric_limits<double>::infinity();
     double high = -low;
+    double reach = 0;  // the farthest corner's squared distance from the axis along n
     for (const int v : solid.vertices()) {
-        const double height = g.normal.dot(solid.point(v) - g.centroid);
+        const Vec3 r = solid.point(v) - g.centroid;
+        const double height = g.normal.dot(r);
         low = std::min(low, height);
         high = std::max(high, height);
+        reach = std::max(reach, r.squaredNorm() - height * height);
     }
     g.depth = high - low;
     g.lever = 0;
@@ -156,7 +159,8 @@ void measure_patch(const ClippedSolid& solid, ContactGeometry& g) {
     for_each_meeting_edge(solid, [&](const Vec3& start, const Vec3& end, int, int) {
         g.lever += distance_integral(start - g.centroid, end - g.centroid, g.normal);
     });
-    g.lever = std::max(0.0, g.lever / g.area);
+    // A patch that folds over itself, seen along n, may have next to no area left.
+    g.lever = std::clamp(g.lever / g.area, 0.0, std::sqrt(reach));
 }
 
 }  // namespace scree

@@ -8,13 +8,16 @@ namespace scree {
 
 namespace {
 
-// Volume, patch, normal and their derivatives of what is left of A, in A's frame. `apart` and `centre` are B
-// → A and A's centre, in that frame.
-bool describe(const OverlapPlanes& planes, const Vec3& apart, Detail detail, bool was_centre_line,
-              const ClippedSolid& solid, ContactGeometry& geometry) {
+// An overlap thinner than this share of A's radius is rounding, and has no centroid.
+constexpr double thinnest = 1e-16;
+
+// Volume, patch, normal and their derivatives of what is left of A, in A's frame. `apart` is B → A in that
+// frame.
+bool describe(const OverlapPlanes& planes, const Vec3& apart, double radius, Detail detail,
+              bool was_centre_line, const ClippedSolid& solid, ContactGeometry& geometry) {
     geometry = ContactGeometry{};
     const double surface = integrate_volume(solid, geometry);
-    if (!(geometry.volume > 0)) {
+    if (!(geometry.volume > thinnest * radius * surface)) {
         return false;
     }
     integrate_patch(solid, planes, geometry);
@@ -87,7 +90,8 @@ bool overlap_polyhedra(const ConvexPolyhedron& a, const Pose& pose_a, const Conv
             return false;
         }
     }
-    if (!describe({a.planes, workspace.planes}, -b_in_a.position, detail, was_centre_line, solid, geometry)) {
+    if (!describe({a.planes, workspace.planes}, -b_in_a.position, a.radius, detail, was_centre_line, solid,
+                  geometry)) {
         return false;
     }
     rotate(geometry, pose_a.orientation.toRotationMatrix());
@@ -108,7 +112,7 @@ bool overlap_half_space(const ConvexPolyhedron& a, const Pose& pose_a, const Hal
         return false;
     }
     const Vec3 apart = workspace.planes.front().normal;
-    if (!describe({a.planes, workspace.planes}, apart, detail, false, solid, geometry)) {
+    if (!describe({a.planes, workspace.planes}, apart, a.radius, detail, false, solid, geometry)) {
         return false;
     }
     geometry.normal_rate.setZero();

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "nearest_feature.hpp"
+
 namespace scree {
 
 namespace {
@@ -49,35 +51,57 @@ void fill_whole(ContactGeometry& g, double radius, const Vec3& centre, bool is_a
     }
 }
 
+// The cap that a plane at `height` under A's centre cuts off; normal_rate is dn by the motion of that centre.
+bool fill_cap(ContactGeometry& g, double radius, const Vec3& normal, double height, const Mat3& normal_rate) {
+    const double depth = radius - height;
+    if (!(depth > 0)) {
+        return false;
+    }
+    g = ContactGeometry{};
+    g.normal = normal;
+    g.depth = std::min(depth, 2 * radius);
+    if (depth >= 2 * radius) {
+        fill_whole(g, radius, Vec3::Zero(), true);
+        follow_centre(g, Mat3::Zero(), normal_rate);
+        return true;
+    }
+    const Cap part(radius, depth);
+    const Mat3 along = normal * normal.transpose();
+    const double to_centroid = height + part.centroid;
+    g.volume = part.volume;
+    g.centroid = -to_centroid * normal;
+    g.area = pi * depth * (2 * radius - depth);
+    g.area_vector = -g.area * normal;
+    g.first_moment =
+        g.volume * (Mat3::Identity() - to_centroid * normal_rate) - g.area * part.centroid * along;
+    follow_centre(g, 2 * pi * height * along - g.area * normal_rate, normal_rate);
+    return true;
+}
+
 }  // namespace
 
 bool overlap_cap(const Sphere& a, const Pose& pose_a, const HalfSpace& b, const Pose& pose_b,
                  ContactGeometry& g) {
     const Vec3 normal = pose_b.orientation * b.normal;
     const double height = normal.dot(pose_a.position - pose_b.position) - b.offset;
-    const double depth = a.radius - height;
-    if (!(depth > 0)) {
+    if (!fill_cap(g, a.radius, normal, height, Mat3::Zero())) {
         return false;
     }
-    g = ContactGeometry{};
-    g.normal = normal;
-    g.depth = std::min(depth, 2 * a.radius);
-    if (depth >= 2 * a.radius) {
-        fill_whole(g, a.radius, Vec3::Zero(), true);
-        follow_centre(g, Mat3::Zero(), Mat3::Zero());
-        g.depth_moment = -g.volume * height;
-        return true;
-    }
-    const Cap part(a.radius, depth);
-    const Mat3 along = normal * normal.transpose();
-    g.volume = part.volume;
-    g.centroid = -(height + part.centroid) * normal;
-    g.area = pi * depth * (2 * a.radius - depth);
-    g.area_vector = -g.area * normal;
-    g.first_moment = g.volume * Mat3::Identity() - g.area * part.centroid * along;
-    follow_centre(g, 2 * pi * height * along, Mat3::Zero());
-    g.depth_moment = g.volume * part.centroid;
+    g.depth_moment = -g.volume * (height + normal.dot(g.centroid));
     return true;
+}
+
+bool overlap_nearest(const Sphere& a, const Pose& pose_a, const ConvexPolyhedron& b, const Pose& pose_b,
+                     ContactGeometry& g) {
+    const Vec3 apart = pose_a.position - pose_b.position;
+    const double reach = a.radius + b.radius;
+    if (apart.squaredNorm() > reach * reach) {
+        return false;
+    }
+    const Mat3 turn = pose_b.orientation.toRotationMatrix();
+    const NearestFeature nearest = nearest_feature(b, turn.transpose() * apart);
+    return fill_cap(g, a.radius, turn * nearest.normal, nearest.height,
+                    turn * nearest.normal_rate * turn.transpose());
 }
 
 bool overlap_lens(const Sphere& a, const Pose& pose_a, const Sphere& b, const Pose& pose_b,

@@ -10,4 +10,8 @@ bool overlap_cap(const Sphere& a, const Pose& pose_a, const HalfSpace& b, const 
 bool overlap_lens(const Sphere& a, const Pose& pose_a, const Sphere& b, const Pose& pose_b,
                   ContactGeometry& geometry);
 
+/// The cap of the depth by which the sphere's surface lies under the nearest point of the polyhedron.
+bool overlap_nearest(const Sphere& a, const Pose& pose_a, const ConvexPolyhedron& b, const Pose& pose_b,
+                     ContactGeometry& geometry);
+
 }  // namespace scree

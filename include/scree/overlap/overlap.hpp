@@ -22,8 +22,7 @@ struct OverlapWorkspace {
 
 /// The overlap of two shapes at their poses, Eq. (5.7)'s V with all that goes with it. Returns false, leaving
 /// `geometry` as it was, when they do not overlap. `was_centre_line` is the committed value of
-/// geometry.centre_line, for its hysteresis. Throws std::invalid_argument for two half-spaces, and for a
-/// sphere with a polyhedron.
+/// geometry.centre_line, for its hysteresis. Throws std::invalid_argument for two half-spaces.
 bool overlap(const Shape& a, const Pose& pose_a, const Shape& b, const Pose& pose_b, Detail detail,
              bool was_centre_line, OverlapWorkspace& workspace, ContactGeometry& geometry);
 
