@@ -1,0 +1,99 @@
+#include "import_file.hpp"
+
+#include <cstdint>
+#include <exception>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <system_error>
+
+#include <assimp/importerdesc.h>
+
+#include <scree/mesh_io/load_mesh.hpp>
+
+// Debian builds assimp with its assertions on. They end the program, where a damaged file should end in an
+// error, so this definition takes the place of assimp's. The importer catches what it throws.
+namespace Assimp {
+
+ASSIMP_API void aiAssertViolation(const char* expression, const char* file, int line);
+
+void aiAssertViolation(const char* expression, const char* /*file*/, int /*line*/) {
+    throw std::runtime_error(std::string("assimp's check failed: ") + expression);
+}
+
+}  // namespace Assimp
+
+namespace scree {
+
+namespace {
+
+constexpr std::uintmax_t largest_file = std::uintmax_t{1} << 30;
+// We triangulate ourselves: assimp's own step aborts the program on faces without corners.
+constexpr unsigned no_processing = 0;
+
+void check_file(const std::filesystem::path& file) {
+    const auto refuse = [&](const std::string& found) {
+        throw MeshError(file.string() + ": " + found + ", expected a mesh file");
+    };
+    std::error_code error;
+    const auto status = std::filesystem::status(file, error);
+    if (!std::filesystem::exists(status)) {
+        refuse("found no such file");
+    }
+    if (!std::filesystem::is_regular_file(status)) {
+        refuse("found something that is no file");
+    }
+    const std::uintmax_t size = std::filesystem::file_size(file, error);
+    if (error) {
+        refuse("it cannot be read (" + error.message() + ")");
+    }
+    if (size == 0) {
+        refuse("found an empty file");
+    }
+    if (size > largest_file) {
+        throw MeshError(file.string() + ": found " + std::to_string(size) + " bytes, expected at most " +
+                        std::to_string(largest_file));
+    }
+}
+
+/// One line, without the full stop at its end.
+std::string sentence(std::string_view text) {
+    std::string line(text.substr(0, text.find('\n')));
+    while (!line.empty() && (line.back() == '.' || line.back() == ' ' || line.back() == '\r')) {
+        line.pop_back();
+    }
+    return line.empty() ? "no reason given" : line;
+}
+
+/// Assimp hands on COLLADA and glTF with y up and in metres, and other kinds as they are.
+bool has_y_up(const Assimp::Importer& importer) {
+    const int index = importer.GetPropertyInteger("importerIndex", -1);
+    if (index < 0) {
+        return false;
+    }
+    const aiImporterDesc* kind = importer.GetImporterInfo(static_cast<std::size_t>(index));
+    const std::string_view endings = kind != nullptr ? kind->mFileExtensions : "";
+    return endings.find("dae") != std::string_view::npos || endings.find("gltf") != std::string_view::npos;
+}
+
+}  // namespace
+
+ImportedFile::ImportedFile(const std::filesystem::path& file) {
+    check_file(file);
+    std::string reason;
+    try {
+        scene_ = importer_.ReadFile(file.string(), no_processing);
+        reason = importer_.GetErrorString();
+    } catch (const std::exception& error) {
+        reason = error.what();
+    }
+    if (scene_ == nullptr) {
+        throw MeshError(file.string() + ": found no mesh in it (" + sentence(reason) +
+                        "), expected a kind of mesh file that assimp reads");
+    }
+    if (has_y_up(importer_)) {
+        to_z_up_ << 1, 0, 0, 0, 0, -1, 0, 1, 0;
+    }
+}
+
+}  // namespace scree
