@@ -32,6 +32,18 @@ void check_pairs(const SceneDescription& scene) {
     }
 }
 
+void check_fixed(const BodyDescription& body, const std::string& place) {
+    if (!std::holds_alternative<FixedMotion>(body.motion)) {
+        return;
+    }
+    if (body.velocity != Vec3::Zero()) {
+        throw SceneError(place + ".velocity", "a fixed body that moves", "no velocity");
+    }
+    if (body.angular_velocity != Vec3::Zero()) {
+        throw SceneError(place + ".angular_velocity", "a fixed body that turns", "no angular velocity");
+    }
+}
+
 void check_bodies(const SceneDescription& scene) {
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
         const BodyDescription& body = scene.bodies[i];
@@ -42,6 +54,7 @@ void check_bodies(const SceneDescription& scene) {
             std::holds_alternative<DynamicMotion>(body.motion)) {
             throw SceneError(place + ".motion", "a half-space that is dynamic", "\"fixed\" or an object");
         }
+        check_fixed(body, place);
     }
 }
 

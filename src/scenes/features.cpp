@@ -77,7 +77,7 @@ constexpr Feature features[] = {
     {"fixed_bodies", has_motion<FixedMotion>},
     {"prescribed_motion", has_motion<PrescribedMotion>},
     {"fill", [](const S& s) { return !s.fill.empty(); }},
-    {"newton", [](const S& s) { return s.stepping.method == Method::bdf; }},
+    {"newton", [](const S& s) { return s.stepping.method == SteppingMethod::bdf; }},
     {"error_control", [](const S& s) { return !s.stepping.step; }},
 };
 

@@ -31,10 +31,10 @@ constexpr Field<L> law_fields[] = {
     {"reduced_mass", into<&L::reduced_mass, choice<reduced_masses>>},
 };
 
-constexpr Choice<Method> methods[] = {{"bdf", Method::bdf},
-                                      {"verlet", Method::verlet},
-                                      {"symplectic_euler", Method::symplectic_euler},
-                                      {"bullet", Method::bullet}};
+constexpr Choice<SteppingMethod> methods[] = {{"bdf", SteppingMethod::bdf},
+                                              {"verlet", SteppingMethod::verlet},
+                                              {"symplectic_euler", SteppingMethod::symplectic_euler},
+                                              {"bullet", SteppingMethod::bullet}};
 constexpr Choice<SolverChoice> solvers[] = {{"auto", SolverChoice::automatic},
                                             {"newton", SolverChoice::newton},
                                             {"fixed_point", SolverChoice::fixed_point}};
@@ -95,14 +95,14 @@ void read_law(const Node& node, LawDescription& law) {
 void read_stepping(const Node& node, SteppingDescription& stepping) {
     read_fields(node, stepping_fields, stepping);
     const bool explicit_method =
-        stepping.method == Method::verlet || stepping.method == Method::symplectic_euler;
+        stepping.method == SteppingMethod::verlet || stepping.method == SteppingMethod::symplectic_euler;
     if (explicit_method && !stepping.step) {
         node.refuse("no fixed step", "\"step\": a number of seconds, which this method needs");
     }
-    if (stepping.method == Method::bullet && !stepping.step) {
+    if (stepping.method == SteppingMethod::bullet && !stepping.step) {
         stepping.step = default_bullet_step;
     }
-    if (stepping.method != Method::bullet && node.value().contains("iterations")) {
+    if (stepping.method != SteppingMethod::bullet && node.value().contains("iterations")) {
         Node(node, "iterations").refuse("it only with \"method\": \"bullet\"");
     }
 }

@@ -1,8 +1,5 @@
 #include <scree/scenes/simulation.hpp>
 
-#include <cmath>
-#include <sstream>
-
 #include <scree/detect/convert.hpp>
 #include <scree/scenes/read_scene.hpp>
 
@@ -20,21 +17,17 @@ std::map<std::string, Solid> make_solids(const SceneDescription& scene) {
         try {
             solids[name] = make_solid(shape, scene.file.parent_path());
         } catch (const std::exception& error) {
-            throw SceneError("shapes." + name, error.what(), "a solid");
+            throw SceneError("shapes." + name + ": " + error.what());
         }
     }
     return solids;
 }
 
-/// A body is the hull of its mesh; where that is more than the mesh, the user should hear of it.
-std::vector<std::string> hull_notes(const std::map<std::string, Solid>& solids) {
+std::vector<std::string> notes_of(const std::map<std::string, Solid>& solids) {
     std::vector<std::string> notes;
     for (const auto& [name, solid] : solids) {
-        if (std::abs(solid.share_of_hull - 1) > 1e-6) {
-            std::ostringstream note;
-            note << "shapes." << name << ": the mesh fills " << solid.share_of_hull
-                 << " of its hull, which stands for it";
-            notes.push_back(note.str());
+        if (!solid.note.empty()) {
+            notes.push_back("shapes." + name + ": " + solid.note);
         }
     }
     return notes;
@@ -80,7 +73,7 @@ Simulation::~Simulation() = default;
 
 void Simulation::make_bodies() {
     const std::map<std::string, Solid> solids = make_solids(scene_);
-    notes_ = hull_notes(solids);
+    notes_ = notes_of(solids);
     const std::vector<std::string> names = body_names(scene_);
     bodies_ = listed_bodies(scene_, solids);
     const std::size_t listed = bodies_.size();

@@ -2,40 +2,43 @@
 
 #include <limits>
 #include <numbers>
+#include <sstream>
 
 #include <scree/detect/collision_shapes.hpp>
 #include <scree/detect/convert.hpp>
-#include <scree/mesh/convex_hull.hpp>
-#include <scree/mesh/mass_properties.hpp>
-#include <scree/mesh_io/load_mesh.hpp>
+#include <scree/mesh_io/describe_mesh.hpp>
 
 namespace scree {
 
 namespace {
 
-/// A polyhedron given in the file's frame.
-Solid polyhedral(const ConvexPolyhedron& in_file) {
-    const MassProperties mass = mass_properties(in_file);
-    Solid solid;
-    solid.body_in_file = {mass.centroid, mass.principal_axes};
-    solid.shape = std::make_shared<const Shape>(transformed(in_file, solid.body_in_file.inverse()));
-    solid.collision = std::make_shared<PolyhedronShape>(solid.shape);
-    solid.volume = mass.volume;
-    solid.inertia = mass.principal_inertia;
-    return solid;
+std::string describe(const MeshDescription& mesh) {
+    if (mesh.convex) {
+        return "";
+    }
+    if (!mesh.closed) {
+        return "the mesh is not closed, its hull stands for it";
+    }
+    std::ostringstream text;
+    text << "the mesh is not convex, its hull stands for it: the mesh fills " << mesh.volume_ratio()
+         << " of that";
+    return text.str();
 }
 
 /// Makes the solid of each kind of shape.
 struct Maker {
     const std::filesystem::path& folder;
 
-    Solid operator()(const MeshShape& mesh) const {
-        TriangleMesh surface = load_mesh(folder / mesh.file);
-        for (Vec3& vertex : surface.vertices) {
-            vertex = vertex.cwiseProduct(mesh.scale);
-        }
-        Solid solid = polyhedral(convex_hull(surface.vertices).solid);
-        solid.share_of_hull = mass_properties(surface).volume / solid.volume;
+    Solid operator()(const MeshShape& description) const {
+        const MeshDescription mesh = describe_mesh(folder / description.file, description.scale);
+        Solid solid;
+        solid.body_in_file = {mesh.hull_mass.centroid, mesh.hull_mass.principal_axes};
+        solid.shape =
+            std::make_shared<const Shape>(transformed(mesh.hull.solid, solid.body_in_file.inverse()));
+        solid.collision = std::make_shared<PolyhedronShape>(solid.shape);
+        solid.volume = mesh.hull_mass.volume;
+        solid.inertia = mesh.hull_mass.principal_inertia;
+        solid.note = describe(mesh);
         return solid;
     }
 

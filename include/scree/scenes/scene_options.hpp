@@ -28,12 +28,12 @@ struct LawDescription {
     ReducedMass reduced_mass = ReducedMass::point;
 };
 
-enum class Method { bdf, verlet, symplectic_euler, bullet };
+enum class SteppingMethod { bdf, verlet, symplectic_euler, bullet };
 enum class SolverChoice { automatic, newton, fixed_point };
 
 /// How steps are made.
 struct SteppingDescription {
-    Method method = Method::bdf;
+    SteppingMethod method = SteppingMethod::bdf;
     int max_order = 2;           ///< 1 to 5
     std::optional<double> step;  ///< [s], fixed; without one it is chosen by the error test
     double rtol = 1e-3;          ///< dimensionless, as is atol

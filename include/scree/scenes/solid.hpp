@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <string>
 
 #include <scree/scenes/scene_description.hpp>
 #include <scree/world/dynamics_world.hpp>
@@ -16,7 +17,7 @@ struct Solid {
     Pose body_in_file;                            ///< the body's frame, seen from the file's
     double volume = 0;                            ///< [m³]; infinite for a half-space
     Vec3 inertia = Vec3::Zero();                  ///< principal, for density 1 [m⁵]
-    double share_of_hull = 1;                     ///< volume of the mesh over that of its hull
+    std::string note;                             ///< where the solid is not what the file says
 };
 
 /// Loads the mesh, if it is one. Throws std::exception, saying why it is no solid.

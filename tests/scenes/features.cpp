@@ -1,0 +1,52 @@
+#include <catch2/catch.hpp>
+
+#include <scree/scenes/features.hpp>
+
+#include "small_scene.hpp"
+
+using namespace scree;
+using namespace scree::test;
+
+namespace {
+
+bool uses(const char* feature, const std::vector<std::string>& settings) {
+    return scene_features(small_scene_with(settings)).uses(feature);
+}
+
+}  // namespace
+
+TEST_CASE("A scene uses what it enters, and leaves out the rest", "[scenes]") {
+    const Features features = scene_features(small_scene_with({}));
+    for (const char* used : {"gravity", "friction", "torsion", "normal_damping", "tangential_damping",
+                             "boxes", "spheres", "half_spaces", "fixed_bodies", "newton", "error_control"}) {
+        CAPTURE(used);
+        CHECK(features.uses(used));
+    }
+    for (const char* left_out : {"meshes", "decomposition", "prescribed_motion", "fill", "pairs"}) {
+        CAPTURE(left_out);
+        CHECK_FALSE(features.uses(left_out));
+    }
+    CHECK(features.used.size() + features.left_out.size() == 17);
+}
+
+TEST_CASE("Friction and what hangs on it are left out together", "[scenes]") {
+    for (const char* setting : {"law.friction=none", "materials.rock.friction=0"}) {
+        CAPTURE(setting);
+        for (const char* part : {"friction", "torsion", "tangential_damping", "co_rotation"}) {
+            CHECK_FALSE(uses(part, {setting}));
+        }
+    }
+    CHECK(uses("friction",
+               {"materials.rock.friction=0", R"(pairs=[{"materials": ["rock", "rock"], "friction": 0.1}])"}));
+}
+
+TEST_CASE("Torsion needs a material that has it and a shape that can show it", "[scenes]") {
+    CHECK_FALSE(uses("torsion", {"materials.rock.torsion=false"}));
+    CHECK_FALSE(uses("torsion", {"bodies.1.shape=ball"}));
+    CHECK(uses("torsion", {"materials.rock.torsion=false",
+                           R"(pairs=[{"materials": ["rock", "rock"], "torsion": true}])"}));
+}
+
+TEST_CASE("A fixed step leaves the error control out", "[scenes]") {
+    CHECK_FALSE(uses("error_control", {"stepping.step=1e-4"}));
+}
