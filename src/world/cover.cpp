@@ -21,7 +21,7 @@ class Motions {
     Motions(const Body& body, const BodyState& state, double radius) {
         const double turning = spin(body, state).norm();
         speed_ = velocity(body, state).norm() + (turning > 0 ? turning * radius : 0);
-        acceleration_ = body.dynamic() ? body.force.norm() / body.mass : 0;
+        acceleration_ = body.dynamic() ? (body.weight + body.force).norm() / body.mass : 0;
     }
     double operator()(double time) const {
         return time > 0 ? (speed_ + 0.5 * acceleration_ * time) * time : 0;

@@ -13,6 +13,8 @@ namespace {
 // Of a body that may not turn, over m ℓ²: large enough to hold it, small enough to compute with.
 constexpr double locked_inertia = 1e12;
 
+constexpr double rounding = 1e-14;  // of the weight, in the total force that Bullet adds up
+
 bool may_turn(const btRigidBody& rigid) {
     return !rigid.getAngularFactor().isZero() && !rigid.getInvInertiaDiagLocal().isZero();
 }
@@ -53,7 +55,12 @@ Body physical_body(const WorldBody& body) {
 void read_forces(const btRigidBody& rigid, const BodyState& state, double tick, Body& body) {
     const double slowing = damping_rate(rigid.getLinearDamping(), tick);
     const double turning_down = damping_rate(rigid.getAngularDamping(), tick);
-    body.force = to_eigen(rigid.getTotalForce()) - slowing * state.momentum;
+    body.weight = body.mass * to_eigen(rigid.getGravity());
+    body.force = to_eigen(rigid.getTotalForce()) - body.weight;
+    if (body.force.norm() <= rounding * body.weight.norm()) {
+        body.force.setZero();
+    }
+    body.force -= slowing * state.momentum;
     body.torque = to_eigen(rigid.getTotalTorque()) - turning_down * state.angular_momentum;
 }
 

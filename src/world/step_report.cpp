@@ -25,4 +25,12 @@ void add(NewtonStatistics& sum, const NewtonStatistics& part) {
     sum.factorizations += part.factorizations;
 }
 
+void add_flows(EnergyLedger& sum, const EnergyLedger& part) {
+    sum.lost_normal_damping += part.lost_normal_damping;
+    sum.lost_tangential_damping += part.lost_tangential_damping;
+    sum.lost_friction += part.lost_friction;
+    sum.work_applied += part.work_applied;
+    sum.residual += part.residual;
+}
+
 }  // namespace scree

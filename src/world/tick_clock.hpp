@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 
 namespace scree {
@@ -10,9 +11,9 @@ class TickClock {
     /// [s], the end of the last tick.
     [[nodiscard]] double now() const { return start_ + static_cast<double>(count_) * tick_; }
 
-    /// [s], the end of the next one if it lasts `tick` [s].
+    /// [s], the end of the next one if it lasts `tick` [s]. Ticks that differ by rounding are the same.
     [[nodiscard]] double next(double tick) {
-        if (tick != tick_) {
+        if (!(std::abs(tick - tick_) <= 1e-9 * tick_)) {
             start_ = now();
             tick_ = tick;
             count_ = 0;

@@ -31,7 +31,7 @@ bool WorldImplementation::run(btCollisionWorld& world, double tick, double gravi
     const double end = clock_.next(tick);
     const bool read = guarded([&] {
         read_bodies(tick);
-        prepare_stepper(gravity);
+        prepare(gravity);
     });
     if (!read) {
         return false;
@@ -67,16 +67,12 @@ void WorldImplementation::read_bodies(double tick) {
     constants_changed_ = constants_changed_ || changes.constants;
 }
 
-// A stepper lives as long as its options; what an old one has counted is kept.
-void WorldImplementation::prepare_stepper(double gravity) {
+void WorldImplementation::prepare(double gravity) {
     if (gravity != options_.tolerances.gravity) {
-        options_.tolerances.gravity = gravity;
+        SteppingOptions options = options_;
+        options.tolerances.gravity = gravity;
+        replace_integrator(options);
         constants_changed_ = true;
-        drop_stepper();
-    }
-    if (!stepper_) {
-        stepper_ = std::make_unique<Stepper>(system_, law_, options_);
-        restart_ = true;
     }
     if (constants_changed_) {
         materials_.prepare(bodies_.all(), system_.bodies, gravity);
@@ -87,23 +83,14 @@ void WorldImplementation::prepare_stepper(double gravity) {
     }
 }
 
-void WorldImplementation::drop_stepper() {
-    if (stepper_) {
-        add(steps_before_, stepper_->statistics());
-        add(newton_before_, stepper_->newton());
-        evaluations_before_ += stepper_->problem().evaluations();
-        stepper_.reset();
-    }
-}
-
 void WorldImplementation::find_pairs(btCollisionWorld& world, double end) {
     const Stopwatch watch(report_.times.detection);
-    const double now = restart_ ? clock_.now() : stepper_->time();
-    cover_.lay(system_, bodies_.all(), end - now, stepper_->last_step());
+    const double now = restart_ ? clock_.now() : integrator_->time();
+    cover_.lay(system_, bodies_.all(), end - now, integrator_->last_step());
     const bool renewed = list_.renew(search_.find(world, cover_.bodies()),
                                      [this](const PartPair& pair) { return make_contact(pair); });
     if (renewed) {
-        stepper_->contacts_renewed();
+        integrator_->contacts_renewed();
     }
     law_.choose(system_.contacts);
     ++report_.pair_searches;
@@ -112,7 +99,7 @@ void WorldImplementation::find_pairs(btCollisionWorld& world, double end) {
 void WorldImplementation::step_to(btCollisionWorld& world, double end) {
     const double detection = report_.times.detection;
     const Stopwatch watch(report_.times.stepping);
-    stepper_->set_covered([&](std::span<const TrialBody> trial) {
+    integrator_->set_covered([&](std::span<const TrialBody> trial) {
         const bool covered = cover_.holds(trial);
         if (!covered) {
             find_pairs(world, end);
@@ -120,15 +107,15 @@ void WorldImplementation::step_to(btCollisionWorld& world, double end) {
         return covered;
     });
     if (restart_) {
-        stepper_->restart(clock_.now());
+        integrator_->restart(clock_.now());
         restart_ = false;
     }
-    while (!system_.bodies.empty() && stepper_->time() < end) {
-        if (!cover_.lasts(system_, end - stepper_->time(), stepper_->last_step())) {
+    while (!system_.bodies.empty() && integrator_->time() < end) {
+        if (!cover_.lasts(system_, end - integrator_->time(), integrator_->last_step())) {
             find_pairs(world, end);
         }
-        const SteppingStatistics before = stepper_->statistics();
-        if (!stepper_->step(end)) {
+        const SteppingStatistics before = integrator_->statistics();
+        if (!integrator_->step(end)) {
             throw std::runtime_error(why_no_step(before));
         }
     }
@@ -159,16 +146,23 @@ void WorldImplementation::write_bodies(double tick) {
         ++report_.ticks;
     }
     bodies_.write(!report_.failed && call_left_ < 0.5 * tick);
-    const bool started = stepper_ && !restart_ && !system_.bodies.empty();
-    report_.time = started ? stepper_->time() : clock_.now();
+    const bool started = !restart_ && !system_.bodies.empty();
+    report_.time = started ? integrator_->time() : clock_.now();
 }
 
 void WorldImplementation::take_stock() {
     report_.steps = steps_before_;
     report_.newton = newton_before_;
-    add(report_.steps, stepper_->statistics());
-    add(report_.newton, stepper_->newton());
-    report_.contact_evaluations = evaluations_before_ + stepper_->problem().evaluations();
+    add(report_.steps, integrator_->statistics());
+    add(report_.newton, integrator_->newton());
+    report_.contact_evaluations = evaluations_before_ + integrator_->problem().evaluations();
+    report_.energy = integrator_->energy();
+    add_flows(report_.energy, energy_before_);
+    report_.momentum_residual = momentum_residual_before_ + integrator_->momentum_residual();
+    count_contacts();
+}
+
+void WorldImplementation::count_contacts() {
     report_.contacts = 0;
     const std::span<const ContactResult> done = results();
     for (std::size_t i = 0; i < done.size(); ++i) {
@@ -188,18 +182,18 @@ void WorldImplementation::take_stock() {
 }
 
 std::span<const ContactResult> WorldImplementation::results() const {
-    if (!stepper_ || stepper_->problem().results().size() != system_.contacts.size()) {
+    if (integrator_->problem().results().size() != system_.contacts.size()) {
         return {};
     }
-    return stepper_->problem().results();
+    return integrator_->problem().results();
 }
 
 std::string WorldImplementation::why_no_step(const SteppingStatistics& before) const {
-    const SteppingStatistics& now = stepper_->statistics();
+    const SteppingStatistics& now = integrator_->statistics();
     const std::size_t unsolved = now.rejected_newton - before.rejected_newton;
     const std::size_t inexact = now.rejected_error - before.rejected_error;
     std::ostringstream why;
-    why << "no step could be made at t = " << stepper_->time()
+    why << "no step could be made at t = " << integrator_->time()
         << " s: Newton's iteration did not converge in " << unsolved
         << " attempts and the error was too large in " << inexact
         << ", down to the smallest step that is tried";
@@ -218,10 +212,21 @@ void WorldImplementation::place(btCollisionWorld& world) {
 }
 
 void WorldImplementation::set_stepping(const SteppingOptions& options) {
-    const double gravity = options_.tolerances.gravity;
+    SteppingOptions with_gravity = options;
+    with_gravity.tolerances.gravity = options_.tolerances.gravity;
+    replace_integrator(with_gravity);
+}
+
+// An integrator lives as long as its options; what the old one has counted is kept.
+void WorldImplementation::replace_integrator(const SteppingOptions& options) {
+    integrator_ = make_integrator(system_, law_, options);
+    steps_before_ = report_.steps;
+    newton_before_ = report_.newton;
+    evaluations_before_ = report_.contact_evaluations;
+    energy_before_ = report_.energy;
+    momentum_residual_before_ = report_.momentum_residual;
     options_ = options;
-    options_.tolerances.gravity = gravity;
-    drop_stepper();
+    restart_ = true;
 }
 
 Material WorldImplementation::material(const btRigidBody& body, double gravity) const {

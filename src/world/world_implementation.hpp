@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include <scree/bdf/stepper.hpp>
+#include <scree/bdf/integrator.hpp>
 #include <scree/world/step_report.hpp>
 
 #include "bodies.hpp"
@@ -40,14 +40,15 @@ class WorldImplementation {
   private:
     bool guarded(const std::function<void()>& part);
     void read_bodies(double tick);
-    void prepare_stepper(double gravity);
-    void drop_stepper();
+    void prepare(double gravity);
+    void replace_integrator(const SteppingOptions& options);
     void find_pairs(btCollisionWorld& world, double end);
     void step_to(btCollisionWorld& world, double end);
     [[nodiscard]] Contact make_contact(const PartPair& pair) const;
     [[nodiscard]] PairConstants constants(int a, int b) const;
     void write_bodies(double tick);
     void take_stock();
+    void count_contacts();
     [[nodiscard]] std::string why_no_step(const SteppingStatistics& before) const;
 
     System system_;
@@ -58,11 +59,13 @@ class WorldImplementation {
     Cover cover_;
     PairSearch search_;
     SteppingOptions options_;
-    std::unique_ptr<Stepper> stepper_;
+    std::unique_ptr<Integrator> integrator_ = make_integrator(system_, law_, options_);
     TickClock clock_;
     StepReport report_;
-    SteppingStatistics steps_before_;  ///< of steppers that were replaced
+    SteppingStatistics steps_before_;  ///< of integrators that were replaced
     NewtonStatistics newton_before_;
+    EnergyLedger energy_before_;
+    Vec3 momentum_residual_before_ = Vec3::Zero();
     std::size_t evaluations_before_ = 0;
     double call_left_ = 0;
     bool restart_ = true;

@@ -5,7 +5,7 @@
 #include <functional>
 #include <memory>
 
-#include <scree/bdf/stepper.hpp>
+#include <scree/bdf/integrator.hpp>
 #include <scree/contact/material.hpp>
 #include <scree/world/step_report.hpp>
 
@@ -31,8 +31,8 @@ class DynamicsWorld : public btDiscreteDynamicsWorld {
     DynamicsWorld(const DynamicsWorld&) = delete;
     DynamicsWorld& operator=(const DynamicsWorld&) = delete;
 
-    /// How the steps are made; takes effect with the next tick, at order 1. The scale of gravity among the
-    /// tolerances is the world's own.
+    /// How the steps are made; takes effect with the next tick, which starts afresh. The scale of gravity
+    /// among the tolerances is the world's own. Throws std::invalid_argument for options that no method has.
     void set_stepping(const SteppingOptions& options);
 
     /// What a body is made of, until it is removed. A body without one gets what its Bullet friction,

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include <scree/bdf/stepper.hpp>
+#include <scree/bdf/integrator.hpp>
 
 namespace scree {
 
@@ -25,11 +25,15 @@ struct StepReport {
     std::size_t contacts = 0;       ///< touching now
     std::size_t most_contacts = 0;  ///< at the end of a tick
     double largest_overlap = 0;     ///< δ over the smaller body's radius ℓ, over the ends of all ticks
+    EnergyLedger energy;  ///< changes from outside, bodies come and gone among them, are work applied
+    Vec3 momentum_residual = Vec3::Zero();  ///< momentum less the impulse received [kg m/s]
     StageTimes times;
 };
 
-/// Adds what one stepper has done to what others did before it.
+/// Adds what one integrator has done to what others did before it.
 void add(SteppingStatistics& sum, const SteppingStatistics& part);
 void add(NewtonStatistics& sum, const NewtonStatistics& part);
+/// Of a ledger, only what was lost, applied or left unexplained.
+void add_flows(EnergyLedger& sum, const EnergyLedger& part);
 
 }  // namespace scree
