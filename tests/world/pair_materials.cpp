@@ -1,0 +1,110 @@
+#include <catch2/catch.hpp>
+
+#include <BulletCollision/CollisionDispatch/btManifoldResult.h>
+
+#include <scree/world/automatic_material.hpp>
+#include <tests/world/bullet_scene.hpp>
+
+using namespace scree;
+using namespace scree::test;
+
+namespace {
+
+// A cube on the floor after one tick; the constants of the pair.
+struct CubeOnFloor {
+    BulletScene scene;
+    btRigidBody& floor = scene.add_floor();
+    btRigidBody& cube = scene.add(1, scene.box(Vec3::Constant(0.1)), Vec3(0, 0, 0.05));
+
+    PairConstants pair() {
+        scene.world->stepSimulation(1e-3, 1, 1e-3);
+        INFO(scene.world->step_report().message);
+        REQUIRE(scene.world->system().contacts.size() == 1);
+        return scene.world->system().contacts[0].pair;
+    }
+    double length() const { return 2 * sphere_radius(1e-3); }
+};
+
+btScalar sum_of_frictions(const btCollisionObject* a, const btCollisionObject* b) {
+    return a->getFriction() + b->getFriction();
+}
+
+}  // namespace
+
+TEST_CASE("given materials are mixed by the rules") {
+    CubeOnFloor on;
+    on.scene.world->set_material(on.cube, rock(1e9, 0.4));
+    on.scene.world->set_material(on.floor, rock(3e9, 0.6));
+    const PairConstants pair = on.pair();
+    CHECK(pair.elastic == Approx(1.5e9 / on.length()));
+    CHECK(pair.friction == 0.4);
+    CHECK(pair.length == Approx(on.length()));
+    CHECK(pair.reduced_mass == Approx(1));
+}
+
+TEST_CASE("a change of material or friction reaches pairs that are there") {
+    CubeOnFloor on;
+    on.scene.world->set_material(on.cube, rock(1e9, 0.4));
+    CHECK(on.pair().elastic == Approx(1e9 / on.length()));  // the floor is as stiff as the cube
+    on.scene.world->set_material(on.cube, rock(2e9, 0.3));
+    CHECK(on.pair().elastic == Approx(2e9 / on.length()));
+    CHECK(on.pair().friction == 0.3);
+    on.floor.setFriction(0.1);
+    CHECK(on.pair().friction == 0.1);
+}
+
+TEST_CASE("bodies without materials take Bullet's own combinations") {
+    CubeOnFloor on;
+    on.cube.setFriction(0.5);
+    on.floor.setFriction(0.8);
+    on.cube.setRestitution(0.9);
+    on.floor.setRestitution(0.9);
+    CHECK(on.pair().friction == Approx(0.4));
+    const double stiffness = on.pair().elastic;
+    const double damping = 2 * damping_ratio(0.81) * std::sqrt(stiffness * 1) / on.length();
+    CHECK(on.pair().normal_damping == Approx(damping));
+
+    const CalculateCombinedCallback kept = gCalculateCombinedFrictionCallback;
+    gCalculateCombinedFrictionCallback = sum_of_frictions;
+    on.cube.setFriction(0.25);
+    const double friction = on.pair().friction;
+    gCalculateCombinedFrictionCallback = kept;
+    CHECK(friction == Approx(1.05));
+}
+
+TEST_CASE("a mixing of one's own gets the bodies in their order") {
+    CubeOnFloor on;
+    on.scene.world->set_material(on.cube, rock(1e9, 0.4));
+    on.scene.world->set_material(on.floor, rock(3e9, 0.6));
+    on.scene.world->set_mixing(
+        [&](const btRigidBody& a, const Material& of_a, const btRigidBody& b, const Material& of_b) {
+            CHECK(&a == &on.floor);
+            CHECK(&b == &on.cube);
+            CHECK(of_a.friction == 0.6);
+            PairMaterial pair = mix(of_a, of_b);
+            pair.friction = 0.123;
+            return pair;
+        });
+    CHECK(on.pair().friction == 0.123);
+}
+
+TEST_CASE("the parts of the law that no pair needs change nothing by being left out") {
+    const auto run = [](bool whole_law) {
+        BulletScene scene;
+        btRigidBody& floor = scene.add_floor();
+        Material smooth = rock(1e8, 0);
+        smooth.torsion = false;
+        btRigidBody& cube = scene.add(1, scene.box(Vec3::Constant(0.1)), Vec3(0, 0, 0.06),
+                                      Quat(Eigen::AngleAxisd(0.3, Vec3(1, 2, 3).normalized())));
+        scene.world->set_material(floor, smooth);
+        scene.world->set_material(cube, smooth);
+        if (whole_law) {
+            scene.world->set_contact_law(CundallStrack<LawParts{}>{});
+        }
+        for (int i = 0; i < 30; ++i) {
+            scene.world->stepSimulation(0.01, 1, 0.01);
+        }
+        return position_of(cube);
+    };
+    CHECK(run(true) == run(false));
+}

@@ -1,0 +1,88 @@
+#include <catch2/catch.hpp>
+
+#include <limits>
+
+#include <tests/world/bullet_scene.hpp>
+
+using namespace scree;
+using namespace scree::test;
+
+TEST_CASE("what the world cannot do is refused when it is added") {
+    BulletScene scene;
+    btCollisionShape& box = scene.box(Vec3::Constant(0.1));
+    const auto refused = [&](btRigidBody& body) {
+        const int objects = scene.world->getNumCollisionObjects();
+        const int moving = scene.world->getNonStaticRigidBodies().size();
+        CHECK_THROWS_AS(scene.world->addRigidBody(&body), std::invalid_argument);
+        CHECK_THROWS_AS(scene.world->addRigidBody(&body, 1, -1), std::invalid_argument);
+        CHECK(scene.world->getNumCollisionObjects() == objects);
+        CHECK(scene.world->getNonStaticRigidBodies().size() == moving);
+    };
+    SECTION("shapes") {
+        btRigidBody& capsule = scene.make(1, scene.shape<btCapsuleShape>(1.0, 1.0), Vec3::Zero());
+        refused(capsule);
+        CHECK(scene.world->body_number(capsule) == -1);
+    }
+    SECTION("a plane that falls") {
+        refused(scene.make(1, scene.shape<btStaticPlaneShape>(btVector3(0, 0, 1), 0), Vec3::Zero()));
+    }
+    SECTION("a body that is there already") {
+        refused(scene.add(1, box, Vec3::Zero()));
+    }
+    SECTION("motion locked along an axis") {
+        btRigidBody& body = scene.make(1, box, Vec3::Zero());
+        body.setLinearFactor(btVector3(1, 1, 0));
+        refused(body);
+        body.setLinearFactor(btVector3(1, 1, 1));
+        body.setAngularFactor(btVector3(0, 0, 1));
+        refused(body);
+        body.setAngularFactor(0);
+        CHECK_NOTHROW(scene.world->addRigidBody(&body));
+    }
+    SECTION("joints") {
+        btPoint2PointConstraint joint(scene.add(1, box, Vec3::Zero()), btVector3(0, 0, 0));
+        CHECK_THROWS_AS(scene.world->addConstraint(&joint), std::invalid_argument);
+        CHECK(scene.world->getNumConstraints() == 0);
+    }
+    SECTION("an explicit method without a step") {
+        SteppingOptions options;
+        options.method = Method::velocity_verlet;
+        CHECK_THROWS_AS(scene.world->set_stepping(options), std::invalid_argument);
+    }
+}
+
+TEST_CASE("a tick that cannot be done says why, and no more are done") {
+    BulletScene scene;
+    scene.add_floor();
+    btRigidBody& box = scene.add(1, scene.box(Vec3::Constant(0.1)), Vec3(0, 0, 1));
+    CHECK(scene.world->stepSimulation(0.05, 10, 0.01) == 5);
+    const StepReport& report = scene.world->step_report();
+    REQUIRE_FALSE(report.failed);
+
+    SECTION("a velocity that is no number") {
+        box.setLinearVelocity(btVector3(std::numeric_limits<double>::quiet_NaN(), 0, 0));
+        CHECK(scene.world->stepSimulation(0.05, 10, 0.01) == 0);
+        CHECK_THAT(report.message, Catch::Contains("body 1") && Catch::Contains("not finite"));
+    }
+    SECTION("a shape that is not done") {
+        box.setCollisionShape(&scene.shape<btCapsuleShape>(1.0, 1.0));
+        CHECK(scene.world->stepSimulation(0.05, 10, 0.01) == 0);
+        CHECK_THAT(report.message, Catch::Contains("Capsule"));
+    }
+    SECTION("a failure in the middle") {
+        scene.world->setInternalTickCallback(
+            [](btDynamicsWorld* world, btScalar) {
+                if (static_cast<DynamicsWorld*>(world)->step_report().ticks == 7) {
+                    btCollisionObject* body = world->getCollisionObjectArray()[1];
+                    btRigidBody::upcast(body)->setAngularVelocity(btVector3(INFINITY, 0, 0));
+                }
+            },
+            nullptr);
+        CHECK(scene.world->stepSimulation(0.05, 10, 0.01) == 2);
+        CHECK(report.time == Approx(0.07));
+    }
+    CHECK(report.failed);
+    const double height = box.getCenterOfMassPosition().z();
+    CHECK(scene.world->stepSimulation(0.05, 10, 0.01) == 0);
+    CHECK(box.getCenterOfMassPosition().z() == height);
+}
