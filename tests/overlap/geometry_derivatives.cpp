@@ -1,59 +1,10 @@
 #include <catch2/catch.hpp>
 
-#include <tests/support/finite_difference.hpp>
-#include <tests/support/overlaps.hpp>
+#include <tests/overlap/rate_error.hpp>
 #include <tests/support/random.hpp>
 
 using namespace scree;
 using namespace scree::test;
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
-
-namespace {
-
-// The error of a closed-form rate of one value by a motion ξ of A about the centroid. Steps are shares of the
-// overlap's `depth` and `width` [m]. Errors are shares of the largest entry or, where all vanish (the normal
-// of a corner in a face), of `least`: a row with ξ itself stands in for it.
-template <class Value>
-double rate_error(const Placed& a, const Placed& b, const Value& value, const MatrixXd& rate, double depth,
-                  double width, double least) {
-    const Vec3 about = overlap_of(a, b).value().centroid;
-    const auto f = [&](const VectorXd& xi) -> VectorXd {
-        VectorXd row(rate.rows() + 1);
-        row << value(overlap_of(moved(a, about, xi), b).value()), least / depth * xi(0);
-        return row;
-    };
-    VectorXd scale(6);
-    scale << Vec3::Constant(depth), Vec3::Constant(depth / width);
-    MatrixXd with_least = MatrixXd::Zero(rate.rows() + 1, 6);
-    with_least.topRows(rate.rows()) = rate;
-    with_least(rate.rows(), 0) = least / depth;
-    return jacobian_error(f, VectorXd::Zero(6), with_least, scale);
-}
-
-// The largest of the errors in V, c, S, ∫ r×n_A dA and n.
-double derivative_error(const Placed& a, const Placed& b, double depth, double width) {
-    const ContactGeometry g = overlap_of(a, b).value();
-    const auto error_of = [&](const auto& value, const MatrixXd& rate, double least) {
-        return rate_error(a, b, value, rate, depth, width, least);
-    };
-    MatrixXd volume_rate(1, 6), centroid_rate(3, 6);
-    volume_rate << g.area_vector.transpose(), g.area_moment().transpose();
-    centroid_rate << g.first_moment / g.volume, g.second_moment / g.volume;
-    const auto moment = [&](const ContactGeometry& now) -> VectorXd {
-        return now.area_moment() + (now.centroid - g.centroid).cross(now.area_vector);  // about c as it was
-    };
-    const auto volume = [](const ContactGeometry& now) { return VectorXd::Constant(1, now.volume); };
-    const auto centroid = [](const ContactGeometry& now) { return now.centroid; };
-    const auto area_vector = [](const ContactGeometry& now) { return now.area_vector; };
-    const auto normal = [](const ContactGeometry& now) { return now.normal; };
-    return std::max({error_of(volume, volume_rate, 0), error_of(centroid, centroid_rate, 0),
-                     error_of(area_vector, g.boundary.topRows<3>(), g.area * depth / width),
-                     error_of(moment, g.boundary.bottomRows<3>(), g.area * depth),
-                     error_of(normal, g.normal_rate, depth / width)});
-}
-
-}  // namespace
 
 TEST_CASE("dV, dc, dS, d∫r×n dA and dn agree with differences for random polyhedra", "[overlap]") {
     Random random(31);
@@ -121,4 +72,24 @@ TEST_CASE("The line of centres has the right derivative: one inside the other, a
     const Placed plate = placed(make_box({4, 4, 0.2}), {0, 0, 0});
     CHECK(line_error(rod, plate) < 1e-9);
     CHECK(line_error(plate, rod) < 1e-9);
+}
+
+TEST_CASE(
+    "The depth moment over a half-space is a potential: its gradient is V, and a turn about c leaves it",
+    "[overlap]") {
+    const Placed floor = moved(ground(), {{0.1, 0.2, 0.3}, turned(0.4, {1, -1, 2})});
+    Random random(32);
+    for (int i = 0; i < 20; ++i) {
+        const Vec3 height(0, 0, random.uniform(-1.5, 0.5));
+        for (const Shape& shape : {Shape(random.polyhedron(12)), Shape(Sphere{1})}) {
+            const Placed body = moved(placed(shape, height, random.rotation()), floor.pose);
+            const ContactGeometry g = overlap_of(body, floor).value();
+            Eigen::MatrixXd rate = Eigen::MatrixXd::Zero(1, 6);
+            rate.leftCols<3>() = -g.volume * g.normal.transpose();
+            const auto moment = [](const ContactGeometry& now) {
+                return Eigen::VectorXd::Constant(1, now.depth_moment);
+            };
+            CHECK(rate_error(body, floor, moment, rate, 0.1, 1, 0) < 1e-9);
+        }
+    }
 }
