@@ -1,0 +1,62 @@
+#pragma once
+
+#include <tests/support/contact_case.hpp>
+
+namespace scree::test {
+
+/// A smooth way for what a law sees to depend on nine unknowns, with random rates: V, n, the relative motion
+/// and the turns of the bodies. S and the patch's moments stay, and so does r̄, whose change the law's
+/// derivative leaves out.
+class LawPath {
+  public:
+    LawPath(Random& random, const ContactCase& c, bool geometry_moves = true) {
+        const auto matrix = [&](double size) {
+            Mat39 m;
+            for (int column = 0; column < 9; ++column) {
+                m.col(column) = size * random.vector();
+            }
+            return m;
+        };
+        volume_ = (geometry_moves ? 0.3 : 0) * c.geometry.volume * matrix(1).row(0);
+        normal_ = matrix(geometry_moves ? 0.3 : 0);
+        velocity_ = matrix(0.3 * c.motion.velocity.norm());
+        spin_ = matrix(0.3 * c.motion.spin.norm());
+        turn_a_ = matrix(0.3);
+        turn_b_ = matrix(0.3);
+    }
+
+    [[nodiscard]] ContactCase at(const ContactCase& start, const Eigen::VectorXd& x) const {
+        ContactCase c = start;
+        c.geometry.volume += volume_ * x;
+        c.geometry.normal = (start.geometry.normal + normal_ * x).normalized();
+        c.motion.velocity += velocity_ * x;
+        c.motion.spin += spin_ * x;
+        for (std::size_t j = 0; j < highest_order; ++j) {
+            c.turn_a[j] = rotation(turn_a_ * x) * start.turn_a[j];
+            c.turn_b[j] = rotation(turn_b_ * x) * start.turn_b[j];
+        }
+        return c;
+    }
+
+    [[nodiscard]] MotionRates rates(const ContactCase& c) const {
+        const Vec3& n = c.geometry.normal;
+        MotionRates rates;
+        rates.volume = volume_;
+        rates.volume_rate =
+            c.geometry.area_vector.transpose() * velocity_ + c.geometry.area_moment().transpose() * spin_;
+        rates.normal = (Mat3::Identity() - n * n.transpose()) * normal_;
+        rates.velocity = velocity_;
+        rates.spin = spin_;
+        rates.turn_a = turn_a_;
+        rates.turn_b = turn_b_;
+        rates.arm_a.setZero();
+        rates.arm_b.setZero();
+        return rates;
+    }
+
+  private:
+    Row9 volume_;
+    Mat39 normal_, velocity_, spin_, turn_a_, turn_b_;
+};
+
+}  // namespace scree::test

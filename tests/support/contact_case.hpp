@@ -1,0 +1,88 @@
+#pragma once
+
+#include <array>
+#include <limits>
+
+#include <scree/contact/cundall_strack.hpp>
+#include <scree/overlap/overlap.hpp>
+
+#include <tests/support/random.hpp>
+#include <tests/support/solids.hpp>
+
+namespace scree::test {
+
+/// All that a contact law sees, owned in one place and free to be changed. As it is made: a face of 10 by 10
+/// cm on a half-space, sunk in by 0.1 mm, at rest, first order, a step of 1 ms.
+struct ContactCase {
+    ContactGeometry geometry;
+    RelativeMotion motion;
+    PairConstants pair;
+    ContactHistory history;
+    std::array<double, highest_order> past{1};
+    std::size_t order = 1;
+    double beta_h = 1e-3;
+    std::array<Quat, highest_order> turn_a, turn_b;
+    double cap = std::numeric_limits<double>::infinity();
+    bool co_rotation = true;
+
+    ContactCase() {
+        geometry.volume = 0.01 * 1e-4;
+        geometry.area_vector = {0, 0, -0.01};
+        geometry.area = 0.01;
+        geometry.lever = 0.038;
+        geometry.depth = 1e-4;
+        geometry.flat_patch = true;
+        // A's part of the surface is the face, half a depth under the centroid, and the four strips beside
+        // it.
+        geometry.first_moment = (geometry.volume * Vec3(1, 1, 0.5)).asDiagonal();
+        const Mat3 spread = (0.01 * 0.01 / 12 * Vec3(1, 1, 0)).asDiagonal();
+        geometry.second_moment = spread * cross_matrix(-Vec3::UnitZ());
+        pair = pair_constants({1e7, 0.5, 0.5, 0.5, 2.0 / 7, true}, {2, 0.06}, {});
+        turn_a.fill(Quat::Identity());
+        turn_b.fill(Quat::Identity());
+    }
+
+    /// fn of a case at rest [N].
+    [[nodiscard]] double normal_force() const { return pair.elastic * geometry.volume; }
+
+    /// Stores a friction force [N] from one step ago, in the plane of the present normal.
+    void remember(const Vec3& force) { history.push({force, geometry.normal}); }
+
+    template <LawParts parts = LawParts{}>
+    [[nodiscard]] ContactForce force(const MotionRates* rates = nullptr) const {
+        const FrictionStep step{{std::span(past).first(order), beta_h}, turn_a, turn_b, cap};
+        ContactForce out;
+        CundallStrack<parts>{co_rotation}({geometry, motion, pair, history, step, rates}, out);
+        return out;
+    }
+};
+
+/// A contact of two random polyhedra with random motion, past and turns: half of them slip, some have no
+/// force.
+inline ContactCase random_case(Random& random) {
+    ContactCase c;
+    OverlapWorkspace workspace;
+    do {
+        const Pose at{random.direction() * random.uniform(0.05, 0.15), random.rotation()};
+        const ConvexPolyhedron a = random.polyhedron(12, 0.1);
+        const ConvexPolyhedron b = random.polyhedron(12, 0.1);
+        if (!overlap(a, {}, b, at, Detail::derivative, false, workspace, c.geometry)) {
+            c.geometry.volume = 0;
+        }
+    } while (c.geometry.volume < 1e-8 || c.geometry.centre_line);
+    c.pair = pair_constants({1e7, 0.4, 0.3, 0.6, 2.0 / 7, true}, {2, 0.06}, {3, 0.07});
+    c.order = 2;
+    c.past = {4.0 / 3, -1.0 / 3};
+    const double force = c.pair.friction * c.normal_force();
+    const double speed = force / (c.pair.tangential_stiffness * c.beta_h);
+    c.motion = {speed * random.vector(), speed / c.geometry.lever * random.vector()};
+    for (int i = 0; i < 2; ++i) {
+        const Vec3 normal = (c.geometry.normal + 0.1 * random.vector()).normalized();
+        c.history.push({force * random.vector(), normal});
+        c.turn_a[static_cast<std::size_t>(i)] = rotation(0.1 * random.vector());
+        c.turn_b[static_cast<std::size_t>(i)] = rotation(0.1 * random.vector());
+    }
+    return c;
+}
+
+}  // namespace scree::test
