@@ -1,5 +1,5 @@
 #include <CLI/CLI.hpp>
-#include <cmath>
+#include <charconv>
 #include <functional>
 #include <iostream>
 
@@ -42,13 +42,35 @@ class CommandLine {
         try {
             app_.parse(count, words);
         } catch (const CLI::ParseError& error) {
-            const bool asked = error.get_exit_code() == 0;  // for help or the version
-            return asked ? app_.exit(error) : report_error(error.what(), exit_bad_input);
+            if (error.get_exit_code() == 0) {
+                return app_.exit(error);  // help or the version was asked for
+            }
+            const bool without = app_.get_subcommands().empty();
+            return report_error(without ? without_command(count, words) : error.what(), exit_bad_input);
         }
         return command_();
     }
 
   private:
+    std::string without_command(int count, char** words) const {
+        std::string names;
+        for (const CLI::App* sub : app_.get_subcommands(nullptr)) {
+            names += (names.empty() ? "" : ", ") + sub->get_name();
+        }
+        const std::string found = count > 1 ? std::string("\"") + words[1] + "\"" : "no command";
+        return "found " + found + ", expected one of " + names;
+    }
+
+    static CLI::Validator seconds() {
+        return {[](const std::string& text) {
+                    double value = 0;
+                    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+                    const bool whole = error == std::errc() && end == text.data() + text.size();
+                    return whole && value >= 0 ? "" : "found " + text + ", expected seconds, not below 0";
+                },
+                "SECONDS"};
+    }
+
     CLI::App* add(const char* name, const char* purpose, std::function<int()> command) {
         CLI::App* sub = app_.add_subcommand(name, purpose);
         sub->add_flag("--quiet", run_.quiet, "No progress and no closing line");
@@ -69,7 +91,7 @@ class CommandLine {
         add_scene(*sub);
         sub->add_option("--out", run_.out, "The folder to write to (out/<scene name>)");
         sub->add_option("--until", run_.until, "Stop at the last output time up to this one [s]")
-            ->check(CLI::Range(0.0, HUGE_VAL));
+            ->check(seconds());
         sub->add_option("--threads", run_.threads, "Threads to use")->check(CLI::Range(1, most_threads));
     }
 

@@ -10,12 +10,28 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
+std::vector<std::string> names_by_number(const Simulation& simulation) {
+    std::vector<std::string> names(simulation.bodies().size());
+    for (const SimulationBody& body : simulation.bodies()) {
+        names[static_cast<std::size_t>(simulation.world().body_number(*body.rigid))] = body.name;
+    }
+    return names;
+}
+
 }  // namespace
 
 Recorder::Recorder(const Simulation& simulation, const std::filesystem::path& folder)
     : simulation_(simulation), folder_(folder) {
-    if (simulation.scene().output.bodies) {
+    const OutputDescription& wanted = simulation.scene().output;
+    if (wanted.bodies) {
         bodies_.emplace(folder_.file("bodies.csv"));
+    }
+    if (wanted.energy) {
+        energy_.emplace(folder_.file("energy.csv"));
+    }
+    if (wanted.contacts) {
+        contacts_.emplace(folder_.file("contacts.csv"));
+        names_ = names_by_number(simulation);
     }
 }
 
@@ -23,6 +39,13 @@ void Recorder::record() {
     const Clock::time_point begin = Clock::now();
     if (bodies_) {
         bodies_->write(simulation_.time(), body_records(simulation_));
+    }
+    const DynamicsWorld& world = simulation_.world();
+    if (energy_ && simulation_.tick() > 0) {
+        energy_->write(simulation_.time(), world.step_report().energy);
+    }
+    if (contacts_ && simulation_.tick() > 0) {
+        contacts_->write(simulation_.time(), world.system().contacts, world.contact_results(), names_);
     }
     writing_ += seconds_since(begin);
 }

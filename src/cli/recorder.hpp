@@ -5,6 +5,8 @@
 #include <string>
 
 #include <scree/output/bodies_csv.hpp>
+#include <scree/output/contacts_csv.hpp>
+#include <scree/output/energy_csv.hpp>
 #include <scree/output/output_folder.hpp>
 #include <scree/output/run_summary.hpp>
 #include <scree/scenes/simulation.hpp>
@@ -16,7 +18,7 @@ class Recorder {
   public:
     Recorder(const Simulation& simulation, const std::filesystem::path& folder);
 
-    /// The present output time.
+    /// What there is at the present output time. Energy and contacts are known from the first tick on.
     void record();
     /// summary.json; `status` is done, interrupted or failed.
     void finish(const std::string& status);
@@ -32,7 +34,10 @@ class Recorder {
     Clock::time_point start_ = Clock::now();
     double writing_ = 0;  ///< [s]
     OutputFolder folder_;
+    std::vector<std::string> names_;  ///< of the bodies, by their numbers in the world
     std::optional<BodiesCsv> bodies_;
+    std::optional<EnergyCsv> energy_;
+    std::optional<ContactsCsv> contacts_;
 };
 
 }  // namespace scree

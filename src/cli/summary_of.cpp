@@ -37,6 +37,8 @@ RunSummary summary_of(const Simulation& simulation) {
     summary.contacts_now = report.contacts;
     summary.contacts_most = report.most_contacts;
     summary.largest_overlap = report.largest_overlap;
+    summary.energy = report.energy;
+    summary.momentum_residual = report.momentum_residual.norm();
     summary.used = features.used;
     summary.left_out = features.left_out;
     summary.bodies = body_records(simulation);

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <scree/output/energy_csv.hpp>
 #include <scree/version.hpp>
 
 namespace scree {
@@ -36,6 +37,14 @@ Json json_of(const RunSummary::Times& time) {
             {"stepping", time.stepping},
             {"output", time.output},
             {"other", time.wall - time.detection - time.stepping - time.output}};
+}
+
+Json json_of(const EnergyLedger& energy) {
+    Json entries;
+    for (const auto& [name, entry] : ledger_entries) {
+        entries[name] = energy.*entry;
+    }
+    return entries;
 }
 
 Json orders_json(const std::vector<std::size_t>& orders) {
@@ -79,6 +88,8 @@ std::string summary_json(const RunSummary& summary) {
     json["contact_evaluations"] = summary.contact_evaluations;
     json["contacts"] = {{"now", summary.contacts_now}, {"most", summary.contacts_most}};
     json["largest_overlap"] = summary.largest_overlap;
+    json["energy"] = json_of(summary.energy);
+    json["momentum_residual"] = summary.momentum_residual;
     json["used"] = summary.used;
     json["left_out"] = summary.left_out;
     json["bodies"] = Json::array();

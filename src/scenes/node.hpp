@@ -28,7 +28,7 @@ class Node {
     std::size_t index_ = 0;
 };
 
-/// The key or word that takes the fewest changes of letters to become `word`.
+/// The known word that takes the fewest letters taken away and put in to become `word`.
 std::string_view nearest(std::string_view word, std::span<const std::string_view> known);
 
 /// Refuses what is no object, and keys that are not known, naming the nearest.

@@ -17,7 +17,8 @@ std::map<std::string, Solid> make_solids(const SceneDescription& scene) {
         try {
             solids[name] = make_solid(shape, scene.file.parent_path());
         } catch (const std::exception& error) {
-            throw SceneError("shapes." + name + ": " + error.what());
+            const char* key = std::holds_alternative<MeshShape>(shape) ? ".mesh: " : ": ";
+            throw SceneError("shapes." + name + key + error.what());
         }
     }
     return solids;
@@ -33,8 +34,20 @@ std::vector<std::string> notes_of(const std::map<std::string, Solid>& solids) {
     return notes;
 }
 
+Method world_method(SteppingMethod method) {
+    switch (method) {
+        case SteppingMethod::verlet:
+            return Method::velocity_verlet;
+        case SteppingMethod::symplectic_euler:
+            return Method::symplectic_euler;
+        default:
+            return Method::bdf;
+    }
+}
+
 SteppingOptions stepping_options(const SceneDescription& scene) {
     SteppingOptions options;
+    options.method = world_method(scene.stepping.method);
     options.max_order = static_cast<std::size_t>(scene.stepping.max_order);
     options.fixed_step = scene.stepping.step.value_or(0);
     options.tolerances = {scene.stepping.rtol, scene.stepping.atol, scene.gravity.norm()};

@@ -13,6 +13,8 @@ TEST_CASE("summary.json has the documented keys", "[output]") {
     summary.status = "done";
     summary.smallest_step = 1e-5;
     summary.orders = {90, 722, 0, 0, 0};
+    summary.energy.lost_friction = 0.25;
+    summary.momentum_residual = 1e-12;
     summary.used = {"friction"};
     summary.bodies = {{"block", {{0.1, 0.2, 0.3}, Quat(0.5, 0.5, -0.5, 0.5)}, {1, 2, 3}, {4, 5, 6}}};
     const json read = json::parse(summary_json(summary));
@@ -34,6 +36,9 @@ TEST_CASE("summary.json has the documented keys", "[output]") {
     CHECK(read.at("orders") == json{{"1", 90}, {"2", 722}});
     CHECK(read.at("newton").size() == 3);
     CHECK(read.at("contacts") == json{{"now", 0}, {"most", 0}});
+    CHECK(read.at("energy").at("lost_friction") == 0.25);
+    CHECK(read.at("energy").size() == 9);
+    CHECK(read.at("momentum_residual") == 1e-12);
     const json& body = read.at("bodies").at(0);
     CHECK(body.at("name") == "block");
     CHECK(body.at("position") == json{0.1, 0.2, 0.3});

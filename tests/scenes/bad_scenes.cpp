@@ -145,7 +145,8 @@ const BadSetting bad_settings[] = {
     {"law..normal=3", "--set \"law..normal=3\": found an empty part of the path"},
     {"bodies.3.name=x", "--set \"bodies.3.name=x\": found \"3\", expected a number from 0 to 2"},
     {"end_time.unit=s", "--set \"end_time.unit=s\": found 0.1, expected an object or a list"},
-    {"law={\"normal\":1,\"normal\":1}", "normal: found the key twice"},
+    {"law={\"normal\":1,\"normal\":1}",
+     "--set \"law={\\\"normal\\\":1,\\\"normal\\\":1}\": normal: found the key twice"},
 };
 
 const BadSetting absent_settings[] = {
@@ -158,7 +159,8 @@ const BadSetting absent_settings[] = {
     {"bodies.1.motion={\"velocity\":[1,0,0]}", "bodies.1.motion: found an object, which is not in this"},
     {"shapes.s={\"mesh\":\"a.obj\",\"parts\":\"decompose\"}",
      "shapes.s.parts: found \"decompose\", which is"},
-    {"stepping={\"method\":\"verlet\",\"step\":1e-5}", "stepping.method: found \"verlet\", which is not in"},
+    {"stepping.method=bullet", "stepping.method: found \"bullet\", which is not in this build"},
+    {"output.replay=true", "output.replay: found true, which is not in this build"},
     {"stepping.solver=fixed_point", "stepping.solver: found \"fixed_point\", which is not in this build"},
     {"output.vtk=true", "output.vtk: found true, which is not in this build"},
     {"output.checkpoint_every=0.1", "output.checkpoint_every: found 0.1, which is not in this build"},
@@ -193,7 +195,7 @@ TEST_CASE("What this build cannot do is refused, and not when it is switched off
         CAPTURE(absent.setting);
         check_refused(refusal(small_scene, {absent.setting}), absent.message);
     }
-    CHECK(refusal(small_scene, {"output.vtk=false", "output.energy=false", "output.checkpoint_every=0"}) ==
+    CHECK(refusal(small_scene, {"output.vtk=false", "output.replay=false", "output.checkpoint_every=0"}) ==
           "");
 }
 

@@ -1,8 +1,10 @@
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
 #include <catch2/catch.hpp>
 
+#include <scree/scenes/read_scene.hpp>
 #include <scree/scenes/simulation.hpp>
 
 #include <tests/support/random.hpp>

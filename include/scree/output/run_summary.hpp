@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include <scree/dynamics/energy.hpp>
 #include <scree/output/body_record.hpp>
 
 namespace scree {
@@ -41,6 +42,9 @@ struct RunSummary {
     std::size_t contact_evaluations = 0;
     std::size_t contacts_now = 0, contacts_most = 0;
     double largest_overlap = 0;  ///< depth over body size
+
+    EnergyLedger energy;
+    double momentum_residual = 0;  ///< [kg m/s]
 
     std::vector<std::string> used, left_out;
     std::vector<BodyRecord> bodies;

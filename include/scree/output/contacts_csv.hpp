@@ -1,0 +1,24 @@
+#pragma once
+
+#include <span>
+
+#include <scree/dynamics/contact.hpp>
+#include <scree/output/csv_file.hpp>
+
+namespace scree {
+
+/// contacts.csv: one row an output time and pair that touches. The normal and the forces are those on a; ft
+/// is the force's part in the contact plane, slip the speed there [m/s].
+class ContactsCsv {
+  public:
+    explicit ContactsCsv(const std::filesystem::path& file);
+
+    /// The contacts at a time [s] and what each of them did; bodies are named by their numbers.
+    void write(double time, std::span<const Contact> contacts, std::span<const ContactResult> results,
+               std::span<const std::string> names);
+
+  private:
+    CsvFile csv_;
+};
+
+}  // namespace scree

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <array>
+#include <utility>
+
+#include <scree/dynamics/energy.hpp>
+#include <scree/output/csv_file.hpp>
+
+namespace scree {
+
+/// The entries of the ledger [J] and their names in files, in order.
+inline constexpr std::array<std::pair<const char*, double EnergyLedger::*>, 9> ledger_entries = {{
+    {"kinetic", &EnergyLedger::kinetic},
+    {"gravity", &EnergyLedger::gravity},
+    {"normal_elastic", &EnergyLedger::normal_elastic},
+    {"tangential_elastic", &EnergyLedger::tangential_elastic},
+    {"lost_normal_damping", &EnergyLedger::lost_normal_damping},
+    {"lost_tangential_damping", &EnergyLedger::lost_tangential_damping},
+    {"lost_friction", &EnergyLedger::lost_friction},
+    {"work_applied", &EnergyLedger::work_applied},
+    {"residual", &EnergyLedger::residual},
+}};
+
+/// energy.csv: one row an output time.
+class EnergyCsv {
+  public:
+    explicit EnergyCsv(const std::filesystem::path& file);
+
+    /// The ledger as it stands at a time [s].
+    void write(double time, const EnergyLedger& ledger);
+
+  private:
+    CsvFile csv_;
+};
+
+}  // namespace scree
