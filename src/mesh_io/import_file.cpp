@@ -1,15 +1,16 @@
 #include "import_file.hpp"
 
-#include <cstdint>
 #include <exception>
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <system_error>
 
 #include <assimp/importerdesc.h>
 
 #include <scree/mesh_io/load_mesh.hpp>
+
+#include "guarded_files.hpp"
+#include "ply_header.hpp"
 
 // Debian builds assimp with its assertions on. They end the program, where a damaged file should end in an
 // error, so this definition takes the place of assimp's. The importer catches what it throws.
@@ -27,34 +28,8 @@ namespace scree {
 
 namespace {
 
-constexpr std::uintmax_t largest_file = std::uintmax_t{1} << 30;
 // We triangulate ourselves: assimp's own step aborts the program on faces without corners.
 constexpr unsigned no_processing = 0;
-
-void check_file(const std::filesystem::path& file) {
-    const auto refuse = [&](const std::string& found) {
-        throw MeshError(file.string() + ": " + found + ", expected a mesh file");
-    };
-    std::error_code error;
-    const auto status = std::filesystem::status(file, error);
-    if (!std::filesystem::exists(status)) {
-        refuse("found no such file");
-    }
-    if (!std::filesystem::is_regular_file(status)) {
-        refuse("found something that is no file");
-    }
-    const std::uintmax_t size = std::filesystem::file_size(file, error);
-    if (error) {
-        refuse("it cannot be read (" + error.message() + ")");
-    }
-    if (size == 0) {
-        refuse("found an empty file");
-    }
-    if (size > largest_file) {
-        throw MeshError(file.string() + ": found " + std::to_string(size) + " bytes, expected at most " +
-                        std::to_string(largest_file));
-    }
-}
 
 /// One line, without the full stop at its end.
 std::string sentence(std::string_view text) {
@@ -79,7 +54,11 @@ bool has_y_up(const Assimp::Importer& importer) {
 }  // namespace
 
 ImportedFile::ImportedFile(const std::filesystem::path& file) {
-    check_file(file);
+    if (const std::string obstacle = GuardedFiles::obstacle(file.string()); !obstacle.empty()) {
+        throw MeshError(file.string() + ": " + obstacle + ", expected a mesh file");
+    }
+    check_ply_header(file);
+    importer_.SetIOHandler(new GuardedFiles);  // the importer owns it
     std::string reason;
     try {
         scene_ = importer_.ReadFile(file.string(), no_processing);

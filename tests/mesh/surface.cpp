@@ -6,24 +6,12 @@
 
 #include <scree/mesh/mass_properties.hpp>
 
-#include <tests/support/shapes.hpp>
+#include <tests/support/mesh_files.hpp>
 
 using namespace scree;
+using test::cube_mesh;
 
 namespace {
-
-TriangleMesh cube_mesh() {
-    const ConvexPolyhedron box = make_box(Vec3::Ones());
-    TriangleMesh mesh{box.vertices, {}};
-    for (int f = 0; f < box.face_count(); ++f) {
-        const int first = box.face_begin[f];
-        for (int h = first + 1; h + 1 < box.face_begin[f + 1]; ++h) {
-            mesh.triangles.push_back(
-                {box.half_edges[first].vertex, box.half_edges[h].vertex, box.half_edges[h + 1].vertex});
-        }
-    }
-    return mesh;
-}
 
 void turn(TriangleMesh& mesh, std::size_t triangle) {
     std::swap(mesh.triangles[triangle][0], mesh.triangles[triangle][1]);
