@@ -1,5 +1,6 @@
 #include "polyhedron_overlap.hpp"
 
+#include <algorithm>
 #include <limits>
 
 #include "patch.hpp"
@@ -49,13 +50,27 @@ int bring_planes(const ConvexPolyhedron& a, const ConvexPolyhedron& b, const Pos
     return height > a.radius ? -1 : farthest;
 }
 
-bool behind_a_face(const ConvexPolyhedron& a, const Vec3& centre, double radius) {
+// Whether a plane has the whole solid on its outer side.
+bool beyond(const ConvexPolyhedron& solid, const Vec3& normal, double offset) {
+    return std::none_of(solid.vertices.begin(), solid.vertices.end(),
+                        [&](const Vec3& vertex) { return normal.dot(vertex) <= offset; });
+}
+
+// Whether A's face that B's centre is farthest outside of parts the two.
+bool behind_a_face(const ConvexPolyhedron& a, const ConvexPolyhedron& b, const Pose& b_in_a) {
+    const Plane* farthest = nullptr;
+    double height = -std::numeric_limits<double>::infinity();
     for (const Plane& plane : a.planes) {
-        if (plane.normal.dot(centre) - plane.offset > radius) {
-            return true;
+        const double above = plane.normal.dot(b_in_a.position) - plane.offset;
+        if (above > height) {
+            height = above;
+            farthest = &plane;
         }
     }
-    return false;
+    if (height > b.radius) {
+        return true;
+    }
+    return height > 0 && beyond(b, b_in_a.orientation.conjugate() * farthest->normal, -height);
 }
 
 Pose relative(const Pose& pose_a, const Pose& pose_b) {
@@ -73,16 +88,20 @@ bool overlap_polyhedra(const ConvexPolyhedron& a, const Pose& pose_a, const Conv
         return false;
     }
     const Pose b_in_a = relative(pose_a, pose_b);
-    if (behind_a_face(a, b_in_a.position, b.radius)) {
+    if (behind_a_face(a, b, b_in_a)) {
         return false;
     }
     const int first = bring_planes(a, b, b_in_a, workspace.planes);
     if (first < 0) {
         return false;
     }
+    const Plane& parting = workspace.planes[static_cast<std::size_t>(first)];
+    if (parting.offset < 0 && beyond(a, parting.normal, parting.offset)) {
+        return false;
+    }
     ClippedSolid& solid = workspace.clipped;
     solid.start(a);
-    if (!solid.cut(workspace.planes[static_cast<std::size_t>(first)], cut_tags + first)) {
+    if (!solid.cut(parting, cut_tags + first)) {
         return false;
     }
     for (int j = 0; j < b.face_count(); ++j) {
