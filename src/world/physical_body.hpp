@@ -1,8 +1,15 @@
 #pragma once
 
+#include <cmath>
+
 #include "bodies.hpp"
 
 namespace scree {
+
+/// Equal to nothing that Bullet has: what was last seen of a body that is to be read anew.
+inline btVector3 unseen() {
+    return {NAN, NAN, NAN};
+}
 
 Motion motion_of(const btCollisionObject& object);
 

@@ -1,31 +1,13 @@
 #include "world_implementation.hpp"
 
 #include <algorithm>
-#include <chrono>
-#include <sstream>
 #include <stdexcept>
 
 #include <scree/detect/convert.hpp>
 
+#include "stopwatch.hpp"
+
 namespace scree {
-
-namespace {
-
-// Adds the wall time of its own life to a sum [s].
-class Stopwatch {
-  public:
-    explicit Stopwatch(double& sum) : sum_(sum) {}
-    ~Stopwatch() { sum_ += std::chrono::duration<double>(Clock::now() - start_).count(); }
-    Stopwatch(const Stopwatch&) = delete;
-    Stopwatch& operator=(const Stopwatch&) = delete;
-
-  private:
-    using Clock = std::chrono::steady_clock;
-    double& sum_;
-    Clock::time_point start_ = Clock::now();
-};
-
-}  // namespace
 
 bool WorldImplementation::run(btCollisionWorld& world, double tick, double gravity) {
     const double end = clock_.next(tick);
@@ -41,7 +23,8 @@ bool WorldImplementation::run(btCollisionWorld& world, double tick, double gravi
         step_to(world, end);
     });
     write_bodies(tick);
-    take_stock();
+    accounts_.fill(*integrator_, report_);
+    report_contacts(system_, results(), report_);
     return stepped;
 }
 
@@ -116,7 +99,7 @@ void WorldImplementation::step_to(btCollisionWorld& world, double end) {
         }
         const SteppingStatistics before = integrator_->statistics();
         if (!integrator_->step(end)) {
-            throw std::runtime_error(why_no_step(before));
+            throw std::runtime_error(why_no_step(*integrator_, before));
         }
     }
     report_.times.stepping -= report_.times.detection - detection;
@@ -150,54 +133,11 @@ void WorldImplementation::write_bodies(double tick) {
     report_.time = started ? integrator_->time() : clock_.now();
 }
 
-void WorldImplementation::take_stock() {
-    report_.steps = steps_before_;
-    report_.newton = newton_before_;
-    add(report_.steps, integrator_->statistics());
-    add(report_.newton, integrator_->newton());
-    report_.contact_evaluations = evaluations_before_ + integrator_->problem().evaluations();
-    report_.energy = integrator_->energy();
-    add_flows(report_.energy, energy_before_);
-    report_.momentum_residual = momentum_residual_before_ + integrator_->momentum_residual();
-    count_contacts();
-}
-
-void WorldImplementation::count_contacts() {
-    report_.contacts = 0;
-    const std::span<const ContactResult> done = results();
-    for (std::size_t i = 0; i < done.size(); ++i) {
-        if (!done[i].touching) {
-            continue;
-        }
-        ++report_.contacts;
-        const Contact& contact = system_.contacts[i];
-        for (const int number : {contact.a.body, contact.b.body}) {
-            const Body& body = system_.bodies[static_cast<std::size_t>(number)];
-            if (body.dynamic()) {
-                report_.largest_overlap = std::max(report_.largest_overlap, done[i].depth / body.radius);
-            }
-        }
-    }
-    report_.most_contacts = std::max(report_.most_contacts, report_.contacts);
-}
-
 std::span<const ContactResult> WorldImplementation::results() const {
     if (integrator_->problem().results().size() != system_.contacts.size()) {
         return {};
     }
     return integrator_->problem().results();
-}
-
-std::string WorldImplementation::why_no_step(const SteppingStatistics& before) const {
-    const SteppingStatistics& now = integrator_->statistics();
-    const std::size_t unsolved = now.rejected_newton - before.rejected_newton;
-    const std::size_t inexact = now.rejected_error - before.rejected_error;
-    std::ostringstream why;
-    why << "no step could be made at t = " << integrator_->time()
-        << " s: Newton's iteration did not converge in " << unsolved
-        << " attempts and the error was too large in " << inexact
-        << ", down to the smallest step that is tried";
-    return why.str();
 }
 
 void WorldImplementation::place(btCollisionWorld& world) {
@@ -220,11 +160,7 @@ void WorldImplementation::set_stepping(const SteppingOptions& options) {
 // An integrator lives as long as its options; what the old one has counted is kept.
 void WorldImplementation::replace_integrator(const SteppingOptions& options) {
     integrator_ = make_integrator(system_, law_, options);
-    steps_before_ = report_.steps;
-    newton_before_ = report_.newton;
-    evaluations_before_ = report_.contact_evaluations;
-    energy_before_ = report_.energy;
-    momentum_residual_before_ = report_.momentum_residual;
+    accounts_.close(report_);
     options_ = options;
     restart_ = true;
 }

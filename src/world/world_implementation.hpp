@@ -7,6 +7,7 @@
 #include <scree/bdf/integrator.hpp>
 #include <scree/world/step_report.hpp>
 
+#include "accounts.hpp"
 #include "bodies.hpp"
 #include "contact_list.hpp"
 #include "cover.hpp"
@@ -47,9 +48,6 @@ class WorldImplementation {
     [[nodiscard]] Contact make_contact(const PartPair& pair) const;
     [[nodiscard]] PairConstants constants(int a, int b) const;
     void write_bodies(double tick);
-    void take_stock();
-    void count_contacts();
-    [[nodiscard]] std::string why_no_step(const SteppingStatistics& before) const;
 
     System system_;
     Bodies bodies_{system_};
@@ -62,11 +60,7 @@ class WorldImplementation {
     std::unique_ptr<Integrator> integrator_ = make_integrator(system_, law_, options_);
     TickClock clock_;
     StepReport report_;
-    SteppingStatistics steps_before_;  ///< of integrators that were replaced
-    NewtonStatistics newton_before_;
-    EnergyLedger energy_before_;
-    Vec3 momentum_residual_before_ = Vec3::Zero();
-    std::size_t evaluations_before_ = 0;
+    Accounts accounts_;
     double call_left_ = 0;
     bool restart_ = true;
     bool constants_changed_ = true;

@@ -1,0 +1,122 @@
+#include <stdexcept>
+#include <string>
+
+#include <scree/detect/convert.hpp>
+
+#include "bodies.hpp"
+#include "physical_body.hpp"
+
+namespace scree {
+
+namespace {
+
+bool same(const btVector3& a, const btVector3& b) {
+    return a.x() == b.x() && a.y() == b.y() && a.z() == b.z();
+}
+
+bool same(const btTransform& a, const btTransform& b) {
+    return same(a.getOrigin(), b.getOrigin()) && same(a.getBasis()[0], b.getBasis()[0]) &&
+           same(a.getBasis()[1], b.getBasis()[1]) && same(a.getBasis()[2], b.getBasis()[2]);
+}
+
+bool same(const Body& a, const Body& b) {
+    return a.mass == b.mass && a.inertia == b.inertia && a.radius == b.radius;
+}
+
+bool finite(const BodyState& state) {
+    return state.position.allFinite() && state.orientation.coeffs().allFinite() &&
+           state.momentum.allFinite() && state.angular_momentum.allFinite();
+}
+
+}  // namespace
+
+Changes Bodies::read(double tick, double left) {
+    Changes changes{added_or_removed_, added_or_removed_};
+    added_or_removed_ = false;
+    for (std::size_t number = 0; number < bodies_.size(); ++number) {
+        read_one(number, tick, left, changes);
+        if (!finite(system_.states[number])) {
+            throw std::runtime_error("body " + std::to_string(number) +
+                                     " was given a pose or a velocity that is not finite");
+        }
+    }
+    return changes;
+}
+
+void Bodies::read_one(std::size_t number, double tick, double left, Changes& changes) {
+    WorldBody& body = bodies_[number];
+    Body& physical = system_.bodies[number];
+    const Motion motion = motion_of(*body.object);
+    const bool other_motion = motion != body.motion;
+    body.motion = motion;
+    check_motion(body);
+    const Body now = physical_body(body);
+    if (other_motion || !same(physical, now)) {
+        physical = now;
+        body.velocity = unseen();  // the same velocity is another momentum now
+        changes.states = changes.constants = true;
+    }
+    if (body.friction != body.object->getFriction() || body.restitution != body.object->getRestitution()) {
+        body.friction = body.object->getFriction();
+        body.restitution = body.object->getRestitution();
+        changes.constants = true;
+    }
+    read_motion(number, left, changes);
+    if (motion == Motion::dynamic) {
+        read_forces(*body.rigid, system_.states[number], tick, physical);
+    }
+}
+
+void Bodies::read_motion(std::size_t number, double left, Changes& changes) {
+    WorldBody& body = bodies_[number];
+    BodyState& state = system_.states[number];
+    const btTransform& transform = body.object->getWorldTransform();
+    if (body.motion == Motion::prescribed) {
+        aim(to_eigen(transform), left, state);
+        return;
+    }
+    if (!same(transform, body.transform)) {
+        const Pose pose = to_eigen(transform);
+        state.position = pose.position;
+        state.orientation = pose.orientation;
+        body.transform = transform;
+        body.velocity = unseen();  // the spin is kept, not the angular momentum
+        changes.states = true;
+    }
+    if (body.motion == Motion::fixed) {
+        set_velocity(system_.bodies[number], Vec3::Zero(), Vec3::Zero(), state);
+        return;
+    }
+    const btVector3& velocity = body.rigid->getLinearVelocity();
+    const btVector3& spin = body.rigid->getAngularVelocity();
+    if (!same(velocity, body.velocity) || !same(spin, body.spin)) {
+        set_velocity(system_.bodies[number], to_eigen(velocity), to_eigen(spin), state);
+        body.velocity = velocity;
+        body.spin = spin;
+        changes.states = true;
+    }
+}
+
+void Bodies::write(bool arrived) {
+    for (std::size_t number = 0; number < bodies_.size(); ++number) {
+        WorldBody& body = bodies_[number];
+        BodyState& state = system_.states[number];
+        if (body.motion == Motion::prescribed && arrived) {
+            const Pose target = to_eigen(body.object->getWorldTransform());
+            state.position = target.position;
+            state.orientation = target.orientation;
+        }
+        if (body.motion != Motion::dynamic) {
+            continue;
+        }
+        const Body& physical = system_.bodies[number];
+        body.transform = to_bullet(Pose{state.position, state.orientation});
+        body.velocity = to_bullet(velocity(physical, state));
+        body.spin = to_bullet(spin(physical, state));
+        body.rigid->setLinearVelocity(body.velocity);
+        body.rigid->setAngularVelocity(body.spin);
+        body.rigid->setCenterOfMassTransform(body.transform);
+    }
+}
+
+}  // namespace scree
