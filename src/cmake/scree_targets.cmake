@@ -50,6 +50,10 @@ scree_library(scenes FOLDERS scenes
     PUBLIC scree::world scree::mesh_io nlohmann_json::nlohmann_json
     PCH ${eigen_pch} <btBulletDynamicsCommon.h> <nlohmann/json.hpp>)
 
+# The scenes that come with scree, for a program that runs from its build folder.
+set_source_files_properties(${PROJECT_SOURCE_DIR}/src/scenes/find_scene.cpp PROPERTIES
+    COMPILE_DEFINITIONS SCREE_SOURCE_DIR="${PROJECT_SOURCE_DIR}" SKIP_PRECOMPILE_HEADERS ON)
+
 scree_glob(program_sources ${PROJECT_SOURCE_DIR}/src *.cpp cli reports)
 if(program_sources)
     add_executable(scree_program ${program_sources})
