@@ -164,6 +164,9 @@ double Simulation::time() const {
 }
 
 bool Simulation::advance() {
+    if (tick_ == times_.last()) {
+        return true;
+    }
     world_->stepSimulation(times_.at(tick_ + 1) - times_.at(tick_), 0);
     if (world_->step_report().failed) {
         return false;

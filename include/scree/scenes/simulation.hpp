@@ -52,7 +52,8 @@ class Simulation {
     [[nodiscard]] double time() const;
     /// The number of the last output time reached.
     [[nodiscard]] std::int64_t tick() const { return tick_; }
-    /// On to the next output time. Returns false when the world cannot; its step report says why.
+    /// On to the next output time; at the last one nothing is left to do. Returns false when the world
+    /// cannot; its step report says why.
     bool advance();
 
   private:
