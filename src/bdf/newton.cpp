@@ -11,8 +11,10 @@ constexpr std::size_t most_iterations = 25;
 constexpr std::size_t full_steps = 4;  // before the search sets in
 constexpr std::size_t most_age = 20;   // steps that a factorisation serves
 constexpr double most_change = 0.3;    // of βh, that a factorisation survives
-constexpr double slow = 0.2;           // ratio of successive steps above which it is made anew
-constexpr double steep = 0.5;          // share of the first slope that a searched step may leave
+constexpr double wanted = 1e-3;  // of the tolerance: a friction force that lags must not add up to a creep
+constexpr double stall = 0.5;    // ratio of successive defects, above which they are noise
+constexpr double slow = 0.2;     // ratio of successive steps above which it is made anew
+constexpr double steep = 0.5;    // share of the first slope that a searched step may leave
 constexpr int most_searches = 8;
 constexpr double caps[] = {0.3, 1, 3, 10, 30};
 
@@ -67,7 +69,9 @@ Newton::Outcome Newton::iterate(StepProblem& problem, std::span<const Body> bodi
         // Who had to renew the matrix once will probably have to again.
         problem.evaluate(u, anew ? Detail::derivative : Detail::force);
         const double defect = defect_norm(problem, bodies, gravity);
-        if (defect <= tolerance) {
+        // At the rounding of the forces an exact direction gains nothing more.
+        const bool stalled = anew && defect > stall * last;
+        if (defect <= wanted * tolerance || (stalled && defect <= tolerance)) {
             return Outcome::converged;
         }
         if (!std::isfinite(defect)) {
