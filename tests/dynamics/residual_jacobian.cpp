@@ -1,0 +1,151 @@
+#include <optional>
+
+#include <catch2/catch.hpp>
+
+#include <tests/dynamics/residual_error.hpp>
+
+using namespace scree;
+using namespace scree::test;
+
+namespace {
+
+constexpr double h = 1e-3;
+constexpr double radius = 0.1;
+constexpr double depth = 2e-3;
+// Central differences give some 10⁻¹⁰ of a smooth function; sides of a hundredth of the size limit the step.
+constexpr double differences = 1e-8;
+
+// Pairs of shapes: where the first is, so that it overlaps the second, at the origin, by about the depth.
+struct Meeting {
+    Shape a, b;
+    Vec3 apart;
+};
+
+Meeting random_meeting(Random& random, const std::string& kind) {
+    const Vec3 way = random.direction();
+    if (kind == "polyhedron, half-space") {
+        const ConvexPolyhedron stone = random.polyhedron(12, radius);
+        double lowest = 0;
+        for (const Vec3& v : stone.vertices) {
+            lowest = std::min(lowest, v.dot(way));
+        }
+        return {stone, HalfSpace{way, 0}, -(lowest + depth) * way};
+    }
+    if (kind == "sphere, half-space") {
+        return {Sphere{radius}, HalfSpace{way, 0}, (radius - depth) * way};
+    }
+    if (kind == "sphere, sphere") {
+        return {Sphere{radius}, Sphere{0.7 * radius}, (1.7 * radius - depth) * way};
+    }
+    if (kind == "sphere, polyhedron") {
+        return {Sphere{radius}, make_box({0.2, 0.2, 0.2}), {0.03, 0.02, 0.1 + radius - depth}};
+    }
+    return {random.polyhedron(12, radius), random.polyhedron(14, radius), 1.3 * radius * way};
+}
+
+// One contact of that kind with random velocities and a random past; empty when it has no force.
+std::optional<StepCase> random_step(Random& random, const std::string& kind, double friction,
+                                    bool prescribed) {
+    const Meeting meeting = random_meeting(random, kind);
+    const double speed = 0.2 * depth / h;
+    StepCase step;
+    step.material.friction = friction;
+    const Pose pose_a{meeting.apart, Quat::Identity()};
+    const Pose frame{random.vector(), random.rotation()};
+    step.add_body(meeting.a, frame * pose_a, speed * random.vector(), 10 * speed * random.vector());
+    if (prescribed || std::holds_alternative<HalfSpace>(meeting.b)) {
+        step.add_prescribed(meeting.b, frame, 0.2 * random.vector(), random.vector());
+    } else {
+        step.add_body(meeting.b, frame, speed * random.vector(), 10 * speed * random.vector());
+    }
+    // The bodies came from somewhere else than where they are now straight on.
+    for (std::size_t b = 0; b < 2; ++b) {
+        step.before[b].position -= 0.1 * depth * random.vector();
+        step.before[b].orientation = rotation(0.02 * random.vector()) * step.before[b].orientation;
+    }
+    Contact& contact = step.add_contact(0, 1);
+    const double force = contact.pair.elastic * std::pow(depth, 3) * friction;
+    contact.history.push({force * random.vector(), random.direction()});
+    contact.history.push({force * random.vector(), random.direction()});
+    ForcesOf<WholeDerivativeLaw> forces({});
+    StepProblem problem(step.system, forces);
+    step.begin(problem, h);
+    const ContactResult& result = problem.results()[0];
+    if (result.law.state == ContactState::open || result.volume < 1e-3 * std::pow(depth, 3) ||
+        result.centre_line) {
+        return std::nullopt;
+    }
+    return step;
+}
+
+struct Seen {
+    int stick = 0;
+    int slip = 0;
+    double worst = 0;
+};
+
+Seen check(const std::string& kind, double friction, bool prescribed, bool co_rotation, std::size_t order) {
+    Random random(201 + order);
+    Seen seen;
+    for (int i = 0; i < 120; ++i) {
+        const auto step = random_step(random, kind, friction, prescribed);
+        if (!step) {
+            continue;
+        }
+        ForcesOf<WholeDerivativeLaw> forces({{co_rotation}, 0.3 * radius});
+        const ResidualError found = residual_error(*step, forces, h, order, depth, radius);
+        seen.worst = std::max(seen.worst, found.error);
+        seen.stick += found.state == ContactState::stick;
+        seen.slip += found.state == ContactState::slip;
+    }
+    return seen;
+}
+
+const std::string kinds[] = {"polyhedron, half-space", "polyhedron, polyhedron", "sphere, half-space",
+                             "sphere, sphere", "sphere, polyhedron"};
+
+}  // namespace
+
+TEST_CASE("The residual's Jacobian agrees with differences without friction", "[dynamics]") {
+    for (const std::string& kind : kinds) {
+        INFO(kind);
+        const Seen seen = check(kind, 0, false, true, 1);
+        CHECK(seen.slip > 20);
+        CHECK(seen.worst < differences);
+    }
+}
+
+TEST_CASE("The residual's Jacobian agrees with differences in stick and in slip, at first and second order",
+          "[dynamics]") {
+    for (const std::string& kind : kinds) {
+        for (const std::size_t order : {1, 2}) {
+            INFO(kind << ", order " << order);
+            const Seen sticking = check(kind, 1e6, false, true, order);
+            CHECK(sticking.stick > 20);
+            CHECK(sticking.worst < differences);
+            const Seen slipping = check(kind, 0.3, false, true, order);
+            CHECK(slipping.slip > 20);
+            CHECK(slipping.worst < differences);
+        }
+    }
+}
+
+TEST_CASE("The residual's Jacobian agrees with differences against a body that moves and turns as prescribed",
+          "[dynamics]") {
+    for (const std::string& kind : kinds) {
+        for (const double friction : {0.3, 1e6}) {
+            INFO(kind << ", μ = " << friction);
+            const Seen seen = check(kind, friction, true, true, 2);
+            CHECK(seen.stick + seen.slip > 20);
+            CHECK(seen.worst < differences);
+        }
+    }
+}
+
+TEST_CASE(
+    "The residual's Jacobian agrees with differences in the literal scheme, without the pair's rotation",
+    "[dynamics]") {
+    const Seen seen = check("polyhedron, polyhedron", 1e6, false, false, 2);
+    CHECK(seen.stick > 20);
+    CHECK(seen.worst < differences);
+}
