@@ -25,7 +25,6 @@ bool ExplicitStepper::step(double end) {
     const double time = parts <= 1 ? end : time_ + left / parts;
     const double step = time - time_;
     const bool verlet = options_.method == Method::velocity_verlet;
-    const Accumulated before = accumulation_rates(system_, problem_);
 
     states_ = system_.states;
     kick(verlet ? 0.5 * step : step, states_);
@@ -49,9 +48,7 @@ bool ExplicitStepper::step(double end) {
     if (!finite(states_)) {
         return false;
     }
-    Accumulated sums = sums_;
-    sums.add(0.5 * step, before).add(0.5 * step, accumulation_rates(system_, problem_));
-    accept(time, order(), states_, sums);
+    accept(time, order(), states_);
     return true;
 }
 

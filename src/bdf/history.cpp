@@ -10,19 +10,17 @@ constexpr std::size_t most = highest_order + 2;
 
 }  // namespace
 
-void StateHistory::restart(double time, const std::vector<BodyState>& states, const Accumulated& sums) {
-    sums_.assign(1, sums);
+void StateHistory::restart(double time, const std::vector<BodyState>& states) {
     times_.assign(1, time);
     states_.assign(1, states);
 }
 
-void StateHistory::push(double time, const std::vector<BodyState>& states, const Accumulated& sums) {
+void StateHistory::push(double time, const std::vector<BodyState>& states) {
     std::vector<BodyState> recycled;
     if (times_.size() == most) {
         times_.pop_back();
         recycled = std::move(states_.back());
         states_.pop_back();
-        sums_.pop_back();
     }
     recycled = states;
     for (std::size_t b = 0; b < recycled.size(); ++b) {
@@ -33,15 +31,6 @@ void StateHistory::push(double time, const std::vector<BodyState>& states, const
     }
     times_.insert(times_.begin(), time);
     states_.push_front(std::move(recycled));
-    sums_.push_front(sums);
-}
-
-Accumulated StateHistory::start_sums(const BdfFormula& formula, std::size_t order) const {
-    Accumulated sum = sums_.front();
-    for (std::size_t j = 1; j < order; ++j) {
-        sum.add(formula.past[j], sums_[j]).add(-formula.past[j], sums_.front());
-    }
-    return sum;
 }
 
 // Written as the last value plus differences, which are small, so that rounding stays at that of one

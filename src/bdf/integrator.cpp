@@ -33,20 +33,23 @@ void Integrator::evaluate_present(Eigen::VectorXd& u) {
 }
 
 void Integrator::open_ledger() {
-    const double held = energy_ledger(system_, problem_.results(), sums_, 0).held();
+    const EnergyLedger ledger = energy_ledger(system_, problem_.results(), sums_, 0);
+    const double held = ledger.held();
     const Vec3 momentum = total_momentum(system_);
     if (started_) {
         sums_.applied += held - held_last_;
+        sums_.normal += ledger.normal_elastic - normal_last_;
         sums_.impulse += momentum - momentum_last_;
     } else {
         held_at_start_ = held;
+        sums_.normal = ledger.normal_elastic;
         momentum_at_start_ = momentum;
     }
     started_ = true;
+    rates_ = accumulation_rates(system_, problem_);
 }
 
-void Integrator::accept(double time, std::size_t order, std::vector<BodyState>& states,
-                        const Accumulated& sums) {
+void Integrator::accept(double time, std::size_t order, std::vector<BodyState>& states) {
     const auto results = problem_.results();
     for (std::size_t i = 0; i < results.size(); ++i) {
         ContactHistory& history = system_.contacts[i].history;
@@ -59,9 +62,13 @@ void Integrator::accept(double time, std::size_t order, std::vector<BodyState>& 
         statistics_.lost_directions += results[i].law.lost_direction;
         statistics_.centre_lines += results[i].centre_line;
     }
+    const Accumulated before = rates_;
+    rates_ = accumulation_rates(system_, problem_);
+    sums_.add(0.5 * (time - time_), before).add(0.5 * (time - time_), rates_);
     system_.states.swap(states);
-    sums_ = sums;
-    held_last_ = energy_ledger(system_, results, sums_, 0).held();
+    const EnergyLedger ledger = energy_ledger(system_, results, sums_, 0);
+    held_last_ = ledger.held();
+    normal_last_ = ledger.normal_elastic;
     momentum_last_ = total_momentum(system_);
     last_step_ = time - time_;
     time_ = time;

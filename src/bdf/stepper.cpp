@@ -25,7 +25,7 @@ void Stepper::restart(double time) {
     first_force_ = problem_.forces();
     first_torque_ = problem_.torques();
     open_ledger();
-    history_.restart(time, system_.states, sums_);
+    history_.restart(time, system_.states);
     const double first = first_step();
     step_ = step_ > 0 ? std::min(step_, first) : first;
 }
@@ -123,11 +123,8 @@ void Stepper::predict(double time) {
 }
 
 void Stepper::commit(double time) {
-    const std::size_t order = problem_.formulas().order;
-    Accumulated sums = history_.start_sums(formula_, order);
-    sums.add(formula_.beta_h, accumulation_rates(system_, problem_));
-    accept(time, order, trial_states_, sums);
-    history_.push(time, system_.states, sums_);
+    accept(time, problem_.formulas().order, trial_states_);
+    history_.push(time, system_.states);
 }
 
 }  // namespace scree

@@ -51,7 +51,8 @@ bool add_normal_force(const ContactInput& in, ContactForce& out, Row9& normal_fo
     if (g.flat_patch) {
         add_rocking_damping(in, out);
     }
-    out.power.normal_damping -= out.force.dot(in.motion.velocity) + out.moment.dot(in.motion.spin);
+    out.power.normal = -(out.force.dot(in.motion.velocity) + out.moment.dot(in.motion.spin));
+    out.power.normal_damping += out.power.normal;
     return true;
 }
 

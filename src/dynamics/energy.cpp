@@ -14,7 +14,7 @@ void add_prescribed(const TrialBody& body, const Vec3& force, const Vec3& moment
 
 Accumulated& Accumulated::add(double factor, const Accumulated& other) {
     normal_elastic += factor * other.normal_elastic;
-    normal_damping += factor * other.normal_damping;
+    normal += factor * other.normal;
     tangential += factor * other.tangential;
     tangential_damping += factor * other.tangential_damping;
     applied += factor * other.applied;
@@ -40,7 +40,7 @@ Accumulated accumulation_rates(const System& system, const StepProblem& problem)
         }
         const ContactForce& law = results[i].law;
         rates.normal_elastic += law.power.normal_elastic;
-        rates.normal_damping += law.power.normal_damping;
+        rates.normal += law.power.normal;
         rates.tangential += law.power.tangential;
         rates.tangential_damping += law.power.tangential_damping;
         if (law.state == ContactState::open) {
@@ -79,9 +79,9 @@ EnergyLedger energy_ledger(const System& system, std::span<const ContactResult> 
         ledger.tangential_elastic += result.law.tangential_energy;
     }
     ledger.normal_elastic += sums.normal_elastic;
-    ledger.lost_normal_damping = sums.normal_damping;
+    // What went in and is stored no more.
+    ledger.lost_normal_damping = sums.normal - ledger.normal_elastic;
     ledger.lost_tangential_damping = sums.tangential_damping;
-    // What went into springs and slip and is in the springs no more.
     ledger.lost_friction = sums.tangential - ledger.tangential_elastic;
     ledger.work_applied = sums.applied;
     ledger.residual = ledger.held() + ledger.lost_normal_damping + ledger.lost_tangential_damping +

@@ -74,21 +74,24 @@ class Integrator {
     /// Starts or continues the ledger at the present states, which evaluate_present has evaluated. What was
     /// changed from outside since the last step counts as work and impulse from outside.
     void open_ledger();
-    /// Makes `states` and the trial contact records of the problem history, and `sums` the ledger's.
-    void accept(double time, std::size_t order, std::vector<BodyState>& states, const Accumulated& sums);
+    /// Makes `states` and the trial contact records of the problem history, and adds the step to the ledger,
+    /// by the trapezoidal rule: exact to second order whatever the order of the step.
+    void accept(double time, std::size_t order, std::vector<BodyState>& states);
 
     System& system_;
     SteppingOptions options_;
     StepProblem problem_;
     Covered covered_;
     SteppingStatistics statistics_;
-    Accumulated sums_;  ///< as of the last accepted step
     double time_ = 0;
     double last_step_ = 0;  ///< [s], the last accepted
 
   private:
+    Accumulated sums_;   ///< as of the last accepted step
+    Accumulated rates_;  ///< there
     bool started_ = false;
     double held_at_start_ = 0;  ///< energy [J]
+    double normal_last_ = 0;    ///< stored normal energy at the last accepted step [J]
     double held_last_ = 0;      ///< at the last accepted step
     Vec3 momentum_at_start_ = Vec3::Zero();
     Vec3 momentum_last_ = Vec3::Zero();

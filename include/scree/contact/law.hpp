@@ -24,6 +24,7 @@ struct ContactPower {
     double normal_elastic =
         0;  ///< into normal elasticity; 0 where ContactForce::normal_energy tells the state
     double normal_damping = 0;      ///< lost
+    double normal = 0;              ///< into normal elasticity and damping together
     double tangential = 0;          ///< into the tangential springs and slip together
     double tangential_damping = 0;  ///< lost
 };

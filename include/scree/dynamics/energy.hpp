@@ -7,7 +7,7 @@ namespace scree {
 /// What is summed over time beside the states, by the same formula: energies [J], then the impulse [N s].
 struct Accumulated {
     double normal_elastic = 0;      ///< into normal elasticity that has no potential
-    double normal_damping = 0;      ///< lost
+    double normal = 0;              ///< into normal elasticity and damping
     double tangential = 0;          ///< into tangential springs and slip
     double tangential_damping = 0;  ///< lost
     double applied = 0;             ///< by applied forces and prescribed bodies
