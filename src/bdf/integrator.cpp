@@ -11,10 +11,6 @@ EnergyLedger Integrator::energy() const {
     return energy_ledger(system_, problem_.results(), sums_, held_at_start_);
 }
 
-Vec3 Integrator::momentum_residual() const {
-    return total_momentum(system_) - sums_.impulse - momentum_at_start_;
-}
-
 void Integrator::evaluate_present(Eigen::VectorXd& u) {
     StepFormulas formulas;
     formulas.past[0][0] = 1;
@@ -35,15 +31,12 @@ void Integrator::evaluate_present(Eigen::VectorXd& u) {
 void Integrator::open_ledger() {
     const EnergyLedger ledger = energy_ledger(system_, problem_.results(), sums_, 0);
     const double held = ledger.held();
-    const Vec3 momentum = total_momentum(system_);
     if (started_) {
         sums_.applied += held - held_last_;
         sums_.normal += ledger.normal_elastic - normal_last_;
-        sums_.impulse += momentum - momentum_last_;
     } else {
         held_at_start_ = held;
         sums_.normal = ledger.normal_elastic;
-        momentum_at_start_ = momentum;
     }
     started_ = true;
     rates_ = accumulation_rates(system_, problem_);
@@ -69,7 +62,6 @@ void Integrator::accept(double time, std::size_t order, std::vector<BodyState>& 
     const EnergyLedger ledger = energy_ledger(system_, results, sums_, 0);
     held_last_ = ledger.held();
     normal_last_ = ledger.normal_elastic;
-    momentum_last_ = total_momentum(system_);
     last_step_ = time - time_;
     time_ = time;
     ++statistics_.accepted;

@@ -104,6 +104,12 @@ void Stepper::predict(double time) {
     }
     formulas.beta_h = formula_.beta_h;
     history_.start(formula_, order_, starts_);
+    start_momentum_.setZero();
+    for (std::size_t b = 0; b < starts_.size(); ++b) {
+        if (system_.bodies[b].dynamic()) {
+            start_momentum_ += starts_[b].momentum;
+        }
+    }
     problem_.begin(formulas, starts_);
 
     const std::size_t points = std::min(order_ + 1, history_.count());
@@ -125,6 +131,8 @@ void Stepper::predict(double time) {
 void Stepper::commit(double time) {
     accept(time, problem_.formulas().order, trial_states_);
     history_.push(time, system_.states);
+    momentum_residual_ +=
+        total_momentum(system_) - start_momentum_ - formula_.beta_h * outside_force(system_, problem_);
 }
 
 }  // namespace scree

@@ -7,7 +7,6 @@ namespace {
 // Work that a prescribed body does on what it touches, by the force and moment that it gets in return.
 void add_prescribed(const TrialBody& body, const Vec3& force, const Vec3& moment, Accumulated& rates) {
     rates.applied -= force.dot(body.velocity) + moment.dot(body.spin);
-    rates.impulse -= force;
 }
 
 }  // namespace
@@ -18,7 +17,6 @@ Accumulated& Accumulated::add(double factor, const Accumulated& other) {
     tangential += factor * other.tangential;
     tangential_damping += factor * other.tangential_damping;
     applied += factor * other.applied;
-    impulse += factor * other.impulse;
     return *this;
 }
 
@@ -31,7 +29,6 @@ Accumulated accumulation_rates(const System& system, const StepProblem& problem)
         }
         const TrialBody& trial = problem.trial()[b];
         rates.applied += body.force.dot(trial.velocity) + body.torque.dot(trial.spin);
-        rates.impulse += body.weight + body.force;
     }
     const auto results = problem.results();
     for (std::size_t i = 0; i < results.size(); ++i) {
@@ -56,6 +53,27 @@ Accumulated accumulation_rates(const System& system, const StepProblem& problem)
         }
     }
     return rates;
+}
+
+Vec3 outside_force(const System& system, const StepProblem& problem) {
+    Vec3 sum = Vec3::Zero();
+    for (const Body& body : system.bodies) {
+        if (body.dynamic()) {
+            sum += body.weight + body.force;
+        }
+    }
+    const auto results = problem.results();
+    for (std::size_t i = 0; i < results.size(); ++i) {
+        if (results[i].law.state == ContactState::open) {
+            continue;
+        }
+        const bool a_moves = system.bodies[static_cast<std::size_t>(system.contacts[i].a.body)].dynamic();
+        const bool b_moves = system.bodies[static_cast<std::size_t>(system.contacts[i].b.body)].dynamic();
+        if (a_moves != b_moves) {
+            sum += (a_moves ? 1 : -1) * results[i].law.force;
+        }
+    }
+    return sum;
 }
 
 EnergyLedger energy_ledger(const System& system, std::span<const ContactResult> results,

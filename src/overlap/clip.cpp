@@ -47,6 +47,10 @@ bool ClippedSolid::cut(const Plane& plane, int tag) {
     close_hole(tag);
     faces_.swap(trimmed_faces_);
     half_edges_.swap(trimmed_half_edges_);
+    // Both of each pair of buffers grow together, so that it does not matter which one the next pair starts
+    // with.
+    trimmed_faces_.reserve(faces_.capacity());
+    trimmed_half_edges_.reserve(half_edges_.capacity());
     std::erase_if(live_, [this](int v) { return height_[at(v)] > 0; });
     for (const Crossing& c : crossings_) {
         live_.push_back(c.vertex);

@@ -55,8 +55,8 @@ class Integrator {
 
     /// Where the energy is at the last accepted step.
     [[nodiscard]] EnergyLedger energy() const;
-    /// Momentum less the impulse received since the first start [kg m/s].
-    [[nodiscard]] Vec3 momentum_residual() const;
+    /// Momentum gained without an impulse from outside, summed over all steps [kg m/s].
+    [[nodiscard]] const Vec3& momentum_residual() const { return momentum_residual_; }
 
     [[nodiscard]] double time() const { return time_; }
     [[nodiscard]] double last_step() const { return last_step_; }
@@ -72,7 +72,7 @@ class Integrator {
     /// Evaluates the problem at the system's present states, with u the velocities there.
     void evaluate_present(Eigen::VectorXd& u);
     /// Starts or continues the ledger at the present states, which evaluate_present has evaluated. What was
-    /// changed from outside since the last step counts as work and impulse from outside.
+    /// changed from outside since the last step counts as work from outside.
     void open_ledger();
     /// Makes `states` and the trial contact records of the problem history, and adds the step to the ledger,
     /// by the trapezoidal rule: exact to second order whatever the order of the step.
@@ -83,6 +83,7 @@ class Integrator {
     StepProblem problem_;
     Covered covered_;
     SteppingStatistics statistics_;
+    Vec3 momentum_residual_ = Vec3::Zero();  ///< [kg m/s]
     double time_ = 0;
     double last_step_ = 0;  ///< [s], the last accepted
 
@@ -93,8 +94,6 @@ class Integrator {
     double held_at_start_ = 0;  ///< energy [J]
     double normal_last_ = 0;    ///< stored normal energy at the last accepted step [J]
     double held_last_ = 0;      ///< at the last accepted step
-    Vec3 momentum_at_start_ = Vec3::Zero();
-    Vec3 momentum_last_ = Vec3::Zero();
 };
 
 /// The integrator of the method that the options name. Throws std::invalid_argument for an explicit method

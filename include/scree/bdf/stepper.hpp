@@ -39,9 +39,10 @@ class Stepper final : public Integrator {
 
     Newton newton_;
     StateHistory history_;
-    BdfFormula formula_;  ///< of the attempt
-    double step_ = 0;     ///< [s], to be tried next
-    double error_ = 0;    ///< of the attempt, in units of the tolerance
+    BdfFormula formula_;                  ///< of the attempt
+    Vec3 start_momentum_ = Vec3::Zero();  ///< of all bodies, what the past contributes [kg m/s]
+    double step_ = 0;                     ///< [s], to be tried next
+    double error_ = 0;                    ///< of the attempt, in units of the tolerance
     std::size_t order_ = 1;
     std::size_t held_ = 0;                          ///< accepted steps since order or step changed
     std::size_t failures_ = 0;                      ///< of the step under way

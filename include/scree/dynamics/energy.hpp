@@ -4,20 +4,23 @@
 
 namespace scree {
 
-/// What is summed over time beside the states, by the same formula: energies [J], then the impulse [N s].
+/// Energies [J] that are summed over time beside the states.
 struct Accumulated {
     double normal_elastic = 0;      ///< into normal elasticity that has no potential
     double normal = 0;              ///< into normal elasticity and damping
     double tangential = 0;          ///< into tangential springs and slip
     double tangential_damping = 0;  ///< lost
     double applied = 0;             ///< by applied forces and prescribed bodies
-    Vec3 impulse = Vec3::Zero();    ///< of weights, applied forces and prescribed bodies on the others
 
     Accumulated& add(double factor, const Accumulated& other);
 };
 
-/// The rates of what is accumulated, at the problem's last evaluation [W, N].
+/// The rates of what is accumulated, at the problem's last evaluation [W].
 Accumulated accumulation_rates(const System& system, const StepProblem& problem);
+
+/// The sum of all forces on dynamic bodies but those of one dynamic body on another [N], at the last
+/// evaluation.
+Vec3 outside_force(const System& system, const StepProblem& problem);
 
 /// Where the energy is [J].
 struct EnergyLedger {
