@@ -30,6 +30,8 @@ function(scree_settings target)
     if(SCREE_SANITIZE)
         target_compile_options(${target} PUBLIC -fsanitize=${SCREE_SANITIZE} -fno-sanitize-recover=all
             -fno-omit-frame-pointer)
+        # With sanitizers GCC sees uninitialized variables in the standard library where there are none.
+        target_compile_options(${target} PRIVATE -Wno-maybe-uninitialized)
         target_link_options(${target} PUBLIC -fsanitize=${SCREE_SANITIZE})
     endif()
 endfunction()

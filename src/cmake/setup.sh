@@ -54,7 +54,8 @@ install_packages() {
     echo "scree: installing ${missing[*]}"
     # A package list that cannot be renewed may still serve.
     "${as_root[@]}" apt-get update >"$log" 2>&1 || true
-    if ! "${as_root[@]}" apt-get install -y --no-install-recommends "${missing[@]}" >>"$log" 2>&1; then
+    if ! "${as_root[@]}" apt-get install -y -o DPkg::Lock::Timeout=300 --no-install-recommends "${missing[@]}" \
+        >>"$log" 2>&1; then
         fail "apt-get could not install ${missing[*]}: $(grep '^E:' "$log" | head -n 1)"
     fi
     rm -f "$log"
