@@ -140,7 +140,9 @@ bool Jacobian::factorize_sparse(IslandSolver& solver, std::size_t island) {
         return false;
     }
     if (!solver.sparse_lu) {
-        solver.sparse_lu = std::make_unique<Eigen::SparseLU<Eigen::SparseMatrix<double>>>();
+        solver.sparse_lu = std::make_unique<SparseSolver>();
+        solver.sparse_lu->isSymmetric(true);
+        solver.sparse_lu->setPivotThreshold(0.1);
     }
     if (pattern != solver.pattern) {
         solver.sparse_lu->analyzePattern(solver.matrix);

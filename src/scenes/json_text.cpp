@@ -16,7 +16,8 @@ constexpr std::size_t longest_shown = 60;       // bytes
 /// Builds the value while the parser reads, so that what a plain parser lets pass can be refused.
 class Builder final : public nlohmann::json_sax<Json> {
   public:
-    Json root;
+    explicit Builder(Json& root) : root_(root) {}
+
     std::string found, expected, key_path;  ///< of what was refused
     std::size_t position = 0;               ///< where the syntax is wrong; 0: it is not the syntax
 
@@ -70,8 +71,8 @@ class Builder final : public nlohmann::json_sax<Json> {
 
     Json* place(Json value) {
         if (open_.empty()) {
-            root = std::move(value);
-            return &root;
+            root_ = std::move(value);
+            return &root_;
         }
         Json& parent = *open_.back();
         if (parent.is_array()) {
@@ -96,7 +97,7 @@ class Builder final : public nlohmann::json_sax<Json> {
     }
 
     /// From the parser's "… unexpected end of input; expected string literal".
-    void explain(std::string reason) {
+    void explain(const std::string& reason) {
         const std::size_t what = reason.rfind("unexpected ");
         const std::size_t instead = reason.rfind("; expected ");
         if (what != std::string::npos && instead != std::string::npos && what < instead) {
@@ -111,6 +112,7 @@ class Builder final : public nlohmann::json_sax<Json> {
         }
     }
 
+    Json& root_;
     std::vector<Json*> open_;        ///< containers not yet closed
     std::vector<std::string> keys_;  ///< the key last seen in each
 };
@@ -137,9 +139,10 @@ std::string shortened(std::string text) {
 }  // namespace
 
 Json parse_json(std::string_view text, const std::string& place, bool lines) {
-    Builder builder;
+    Json root;
+    Builder builder(root);
     if (Json::sax_parse(text.begin(), text.end(), &builder, Json::input_format_t::json, true, true)) {
-        return std::move(builder.root);
+        return root;
     }
     std::string where = place;
     if (builder.position > 0 && lines) {

@@ -59,17 +59,17 @@ double restitution(double damping_ratio) {
     return std::exp(-2 * damping_ratio * ratio);
 }
 
-double damping_ratio(double wanted) {
-    if (wanted <= restitution(1)) {
+double damping_ratio(double restitution_wanted) {
+    if (restitution_wanted <= restitution(1)) {
         return 1;
     }
     double low = 0;
     double high = 1;
     for (int halving = 0; halving < 60; ++halving) {
         const double middle = 0.5 * (low + high);
-        (restitution(middle) > wanted ? low : high) = middle;
+        (restitution(middle) > restitution_wanted ? low : high) = middle;
     }
-    return wanted < 1 ? 0.5 * (low + high) : 0;
+    return restitution_wanted < 1 ? 0.5 * (low + high) : 0;
 }
 
 double normal_damping(double damping_ratio) {

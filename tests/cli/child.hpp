@@ -12,8 +12,6 @@
 #include <string>
 #include <vector>
 
-extern char** environ;
-
 namespace scree::test {
 
 inline std::string text_of(const std::filesystem::path& file) {
@@ -51,6 +49,7 @@ class Child {
     Child(const Folder& folder, std::vector<std::string> words) : folder_(folder) {
         words.insert(words.begin(), program());
         std::vector<char*> arguments;
+        arguments.reserve(words.size() + 1);
         for (std::string& word : words) {
             arguments.push_back(word.data());
         }

@@ -16,6 +16,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+const std::string cube_file = SCREE_SOURCE_DIR "/meshes/cube.obj";
+
 /// Runs the program to its end and checks how it ends.
 std::string errors_of(const Folder& folder, const std::vector<std::string>& words, int status) {
     CAPTURE(words);
@@ -126,7 +128,7 @@ TEST_CASE("Bad usage is refused by one line", "[cli]") {
     check_refused(folder, {"run", scene, "--threads", "0"}, "--threads");
     check_refused(folder, {"run", scene, "--set"}, "--set");
     check_refused(folder, {"mesh", folder / "none.obj"}, "none.obj");
-    check_refused(folder, {"mesh", SCREE_SOURCE_DIR "/meshes/cube.obj", "--scale", "0"}, "scale");
+    check_refused(folder, {"mesh", cube_file, "--scale", "0"}, "scale");
     check_refused(folder, {"resume", folder / "out"}, "resume: not in this build");
     check_refused(folder, {"report", "all", "--quick"}, "report: not in this build");
 }
@@ -180,7 +182,7 @@ TEST_CASE("Help, version, list and check exit 0", "[cli]") {
 
 TEST_CASE("A mesh is described in JSON", "[cli]") {
     const Folder folder;
-    const Child child(folder, {"mesh", SCREE_SOURCE_DIR "/meshes/cube.obj", "--json", "--scale", "2"});
+    const Child child(folder, {"mesh", cube_file, "--json", "--scale", "2"});
     REQUIRE(child.wait() == 0);
     const json mesh = json::parse(child.output());
     CHECK(mesh.at("volume") == 8);

@@ -1,16 +1,15 @@
+#include <bit>
 #include <charconv>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <random>
 #include <sstream>
 
 #include <catch2/catch.hpp>
 
 #include <scree/output/bodies_csv.hpp>
 #include <scree/output/output_folder.hpp>
-
-#include <tests/support/random.hpp>
 
 using namespace scree;
 
@@ -35,7 +34,7 @@ double read_back(const std::string& text) {
 }
 
 bool same_bits(double a, double b) {
-    return std::memcmp(&a, &b, sizeof a) == 0;
+    return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
 }
 
 }  // namespace
@@ -44,9 +43,7 @@ TEST_CASE("Every double reads back as itself", "[output]") {
     std::mt19937_64 bits(5);
     int tried = 0;
     while (tried < 100'000) {
-        const std::uint64_t pattern = bits();
-        double value = 0;
-        std::memcpy(&value, &pattern, sizeof value);
+        const auto value = std::bit_cast<double>(bits());
         if (!std::isfinite(value)) {
             continue;
         }

@@ -195,8 +195,9 @@ TEST_CASE("What this build cannot do is refused, and not when it is switched off
         CAPTURE(absent.setting);
         check_refused(refusal(small_scene, {absent.setting}), absent.message);
     }
-    CHECK(refusal(small_scene, {"output.vtk=false", "output.replay=false", "output.checkpoint_every=0"}) ==
-          "");
+    const std::vector<std::string> off = {"output.vtk=false", "output.replay=false",
+                                          "output.checkpoint_every=0"};
+    CHECK(refusal(small_scene, off).empty());
 }
 
 TEST_CASE("Hostile text is refused without harm", "[scenes]") {

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <fstream>
 
@@ -7,7 +8,6 @@
 #include <scree/scenes/read_scene.hpp>
 #include <scree/scenes/simulation.hpp>
 
-#include <tests/support/random.hpp>
 #include <tests/support/solids.hpp>
 
 using namespace scree;
@@ -88,10 +88,8 @@ TEST_CASE("Mass and inertia are those of the mesh, in its principal frame", "[sc
     const btRigidBody& rigid = *simulation.bodies()[0].rigid;
     const double mass = 1000;  // a box 1 by 0.5 by 2
     CHECK(1 / rigid.getInvMass() == Approx(mass).epsilon(1e-6));
-    std::vector<double> moments;
-    for (int axis = 0; axis < 3; ++axis) {
-        moments.push_back(1 / rigid.getInvInertiaDiagLocal()[axis]);
-    }
+    const btVector3& inverse = rigid.getInvInertiaDiagLocal();
+    std::array moments = {1 / inverse.x(), 1 / inverse.y(), 1 / inverse.z()};
     std::sort(moments.begin(), moments.end());
     CHECK(moments[0] == Approx(mass / 12 * (1 + 0.25)).epsilon(1e-6));
     CHECK(moments[1] == Approx(mass / 12 * (0.25 + 4)).epsilon(1e-6));

@@ -2,8 +2,8 @@
 
 #include <btBulletCollisionCommon.h>
 
-#include <compare>
 #include <span>
+#include <tuple>
 #include <vector>
 
 #include <scree/detect/body_shape.hpp>
@@ -26,7 +26,11 @@ struct PartPair {
     int part_a = 0;
     int part_b = 0;
 
-    auto operator<=>(const PartPair&) const = default;
+    bool operator==(const PartPair&) const = default;
+    bool operator<(const PartPair& other) const {
+        return std::tie(body_a, body_b, part_a, part_b) <
+               std::tie(other.body_a, other.body_b, other.part_a, other.part_b);
+    }
 };
 
 /// Finds the pairs of parts that are nearer to each other than their bodies' reaches together. Bullet's

@@ -35,11 +35,13 @@ class Jacobian {
         int row, column;  ///< bodies
         Mat6 value;
     };
+    /// Minimum degree on the pattern of A + Aᵀ: the pattern is symmetric, and that order fills in least.
+    using SparseSolver = Eigen::SparseLU<Eigen::SparseMatrix<double>, Eigen::AMDOrdering<int>>;
     struct IslandSolver {
         bool sparse = false;
         Eigen::PartialPivLU<Eigen::MatrixXd> dense_lu;
         Eigen::SparseMatrix<double> matrix;
-        std::unique_ptr<Eigen::SparseLU<Eigen::SparseMatrix<double>>> sparse_lu;
+        std::unique_ptr<SparseSolver> sparse_lu;
         std::vector<int> pattern;  ///< that the symbolic analysis belongs to
     };
 

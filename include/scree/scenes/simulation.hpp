@@ -44,9 +44,9 @@ class Simulation {
     [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
 
     /// The present motion of a body's file frame, which is what scenes and outputs speak of.
-    [[nodiscard]] FrameMotion file_motion(std::size_t body) const;
+    [[nodiscard]] FrameMotion file_motion(std::size_t index) const;
     /// The present motion of its mass centre and principal axes.
-    [[nodiscard]] FrameMotion body_motion(std::size_t body) const;
+    [[nodiscard]] FrameMotion body_motion(std::size_t index) const;
 
     /// Present time [s]: an output time, or later than the last one if the world has failed.
     [[nodiscard]] double time() const;

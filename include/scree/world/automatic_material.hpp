@@ -10,7 +10,7 @@ namespace scree {
 double restitution(double damping_ratio);
 
 /// The inverse of that; 1 for a restitution that no ζ up to 1 gives, 0 for restitutions of 1 and more.
-double damping_ratio(double restitution);
+double damping_ratio(double restitution_wanted);
 
 /// γn of a damping ratio at a face of area Lc², from ζ = γn √A/(2 Lc).
 double normal_damping(double damping_ratio);
