@@ -123,8 +123,8 @@ class Incidences {
         const Vertex local = vertex(v);
         Eigen::VectorXd heights = local.heights;
         for (std::size_t i = 0; i < at_[v].size(); ++i) {
-            heights(static_cast<Eigen::Index>(i)) +=
-                local.slopes.row(static_cast<Eigen::Index>(i)) * moves.segment<3>(Eigen::Index{3} * at_[v][i]);
+            heights(static_cast<Eigen::Index>(i)) += local.slopes.row(static_cast<Eigen::Index>(i)) *
+                                                     moves.segment<3>(Eigen::Index{3} * at_[v][i]);
         }
         points_[v] -= local.normals.transpose() * (local.stiffness * heights);
     }
