@@ -65,7 +65,6 @@ void ExplicitStepper::kick(double duration, std::vector<BodyState>& states) cons
 void ExplicitStepper::drift(double step, const std::vector<BodyState>& states) {
     StepFormulas formulas;
     formulas.step = step;
-    formulas.step = step;
     formulas.beta_h = step;
     formulas.past[0][0] = 1;
     formulas.friction_beta_h[0] = step;
