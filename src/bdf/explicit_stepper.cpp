@@ -4,40 +4,37 @@
 
 namespace scree {
 
-namespace {
-
-constexpr int most_renewals = 8;  // of the candidate pairs in one step
-
-}  // namespace
-
 void ExplicitStepper::restart(double time) {
-    time_ = time;
+    memory_.time = time;
     for (Contact& contact : system_.contacts) {
         contact.history.age = std::min<std::size_t>(contact.history.age, 1);
     }
     evaluate_present(u_);
-    open_ledger();
 }
 
-bool ExplicitStepper::step(double end) {
-    const double left = end - time_;
+void ExplicitStepper::resume(const SteppingMemory& memory) {
+    memory_ = memory;
+    if (!memory_.powers || memory_.force.size() != system_.bodies.size()) {
+        evaluate_present(u_);
+    }
+}
+
+StepOutcome ExplicitStepper::step(double end) {
+    const double left = end - memory_.time;
     const double parts = std::ceil(left / options_.fixed_step * (1 - 1e-9));
-    const double time = parts <= 1 ? end : time_ + left / parts;
-    const double step = time - time_;
+    const double time = parts <= 1 ? end : memory_.time + left / parts;
+    const double step = time - memory_.time;
     const bool verlet = options_.method == Method::velocity_verlet;
 
     states_ = system_.states;
     kick(verlet ? 0.5 * step : step, states_);
-    for (int renewals = 0;; ++renewals) {
-        drift(step, states_);
-        if (!covered_ || covered_(problem_.trial())) {
-            break;
-        }
+    drift(time, states_);
+    if (covered_ && !covered_(problem_.trial())) {
         ++statistics_.rejected_contact;
-        if (renewals == most_renewals) {
-            return false;
-        }
+        return StepOutcome::left_cover;
     }
+    memory_.force = problem_.forces();
+    memory_.torque = problem_.torques();
     if (verlet) {
         kick(0.5 * step, states_);
     }
@@ -46,10 +43,10 @@ bool ExplicitStepper::step(double end) {
         states_[b].orientation = problem_.trial()[b].pose.orientation;
     }
     if (!finite(states_)) {
-        return false;
+        return StepOutcome::failed;
     }
-    accept(time, order(), states_);
-    return true;
+    accept(time, verlet ? 2 : 1, states_);
+    return StepOutcome::accepted;
 }
 
 void ExplicitStepper::kick(double duration, std::vector<BodyState>& states) const {
@@ -57,18 +54,21 @@ void ExplicitStepper::kick(double duration, std::vector<BodyState>& states) cons
         if (!system_.bodies[b].dynamic()) {
             continue;
         }
-        states[b].momentum += duration * problem_.forces()[b];
-        states[b].angular_momentum += duration * problem_.torques()[b];
+        states[b].momentum += duration * memory_.force[b];
+        states[b].angular_momentum += duration * memory_.torque[b];
     }
 }
 
-void ExplicitStepper::drift(double step, const std::vector<BodyState>& states) {
+void ExplicitStepper::drift(double time, const std::vector<BodyState>& states) {
+    const double step = time - memory_.time;
     StepFormulas formulas;
+    formulas.time = time;
     formulas.step = step;
     formulas.beta_h = step;
     formulas.past[0][0] = 1;
     formulas.friction_beta_h[0] = step;
     starts_.resize(states.size());
+    u_.resize(static_cast<Eigen::Index>(6 * states.size()));
     for (std::size_t b = 0; b < states.size(); ++b) {
         const BodyState& old = system_.states[b];
         starts_[b].position = old.position;

@@ -6,31 +6,43 @@ namespace scree {
 
 namespace {
 
-constexpr std::size_t most = highest_order + 2;
+// Turns the quaternions of `states` to the side on which those of `reference` are.
+void take_sides(const std::vector<BodyState>& reference, std::vector<BodyState>& states) {
+    for (std::size_t b = 0; b < states.size(); ++b) {
+        Quat& q = states[b].orientation;
+        if (q.dot(reference[b].orientation) < 0) {
+            q.coeffs() = -q.coeffs();
+        }
+    }
+}
 
 }  // namespace
 
 void StateHistory::restart(double time, const std::vector<BodyState>& states) {
     times_.assign(1, time);
-    states_.assign(1, states);
+    states_.resize(std::max<std::size_t>(states_.size(), 1));
+    states_.front() = states;
 }
 
 void StateHistory::push(double time, const std::vector<BodyState>& states) {
-    std::vector<BodyState> recycled;
+    if (states_.size() < most) {
+        states_.emplace_back();
+    }
     if (times_.size() == most) {
         times_.pop_back();
-        recycled = std::move(states_.back());
-        states_.pop_back();
-    }
-    recycled = states;
-    for (std::size_t b = 0; b < recycled.size(); ++b) {
-        Quat& q = recycled[b].orientation;
-        if (q.dot(states_.front()[b].orientation) < 0) {
-            q.coeffs() = -q.coeffs();
-        }
     }
     times_.insert(times_.begin(), time);
-    states_.push_front(std::move(recycled));
+    std::rotate(states_.begin(), states_.end() - 1, states_.end());
+    states_.front() = states;
+    take_sides(states_[1], states_.front());
+}
+
+void StateHistory::append(double time, const std::vector<BodyState>& states) {
+    times_.push_back(time);
+    states_.resize(std::max(states_.size(), times_.size()));
+    std::vector<BodyState>& oldest = states_[times_.size() - 1];
+    oldest = states;
+    take_sides(states_[times_.size() - 2], oldest);
 }
 
 // Written as the last value plus differences, which are small, so that rounding stays at that of one
@@ -56,6 +68,22 @@ void StateHistory::start(const BdfFormula& formula, std::size_t order, std::vect
         sum.orientation = last[b].orientation.coeffs() + turn;
         starts[b] = sum;
     }
+}
+
+BodyState StateHistory::at(double time, std::size_t body, std::size_t points) const {
+    const auto weights = extrapolation(time, times_, points);
+    const BodyState& last = states_.front()[body];
+    BodyState sum = last;
+    Eigen::Vector4d turn = last.orientation.coeffs();
+    for (std::size_t j = 1; j < points; ++j) {
+        const BodyState& past = states_[j][body];
+        sum.position += weights[j] * (past.position - last.position);
+        sum.momentum += weights[j] * (past.momentum - last.momentum);
+        sum.angular_momentum += weights[j] * (past.angular_momentum - last.angular_momentum);
+        turn += weights[j] * (past.orientation.coeffs() - last.orientation.coeffs());
+    }
+    sum.orientation = Quat(turn).normalized();
+    return sum;
 }
 
 }  // namespace scree

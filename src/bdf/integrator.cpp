@@ -1,5 +1,6 @@
 #include <scree/bdf/integrator.hpp>
 
+#include <algorithm>
 #include <stdexcept>
 
 #include <scree/bdf/explicit_stepper.hpp>
@@ -7,12 +8,18 @@
 
 namespace scree {
 
-EnergyLedger Integrator::energy() const {
-    return energy_ledger(system_, problem_.results(), sums_, held_at_start_);
+SteppingStatistics Integrator::take_statistics() {
+    const StepProblem::Costs costs = problem_.take_costs();
+    statistics_.contact_evaluations = costs.evaluations;
+    statistics_.contact_time = costs.contacts;
+    statistics_.jacobian_time = costs.jacobian;
+    statistics_.solve_time = costs.solve;
+    return std::exchange(statistics_, {});
 }
 
 void Integrator::evaluate_present(Eigen::VectorXd& u) {
     StepFormulas formulas;
+    formulas.time = memory_.time;
     formulas.past[0][0] = 1;
     std::vector<BodyStart> starts(system_.bodies.size());
     u.resize(static_cast<Eigen::Index>(6 * system_.bodies.size()));
@@ -26,23 +33,30 @@ void Integrator::evaluate_present(Eigen::VectorXd& u) {
     }
     problem_.begin(formulas, starts);
     problem_.evaluate(u, Detail::force);
-}
-
-void Integrator::open_ledger() {
-    const EnergyLedger ledger = energy_ledger(system_, problem_.results(), sums_, 0);
-    const double held = ledger.held();
-    if (started_) {
-        sums_.applied += held - held_last_;
-        sums_.normal += ledger.normal_elastic - normal_last_;
-    } else {
-        held_at_start_ = held;
-        sums_.normal = ledger.normal_elastic;
-    }
-    started_ = true;
-    rates_ = accumulation_rates(system_, problem_);
+    memory_.powers = accumulation_rates(system_, problem_);
+    memory_.stiffness = Stiffness::of(problem_, system_);
+    memory_.force = problem_.forces();
+    memory_.torque = problem_.torques();
 }
 
 void Integrator::accept(double time, std::size_t order, std::vector<BodyState>& states) {
+    remember_contacts();
+    const Accumulated before = *memory_.powers;
+    memory_.powers = accumulation_rates(system_, problem_);
+    memory_.stiffness = Stiffness::of(problem_, system_);
+    const double step = time - memory_.time;
+    flows_.energy.add(0.5 * step, before).add(0.5 * step, *memory_.powers);
+    system_.states.swap(states);
+    memory_.last_step = step;
+    memory_.time = time;
+    ++statistics_.accepted;
+    ++statistics_.orders[order - 1];
+    statistics_.smallest_step = std::min(statistics_.smallest_step, step);
+    statistics_.largest_step = std::max(statistics_.largest_step, step);
+    statistics_.time_stepped += step;
+}
+
+void Integrator::remember_contacts() {
     const auto results = problem_.results();
     for (std::size_t i = 0; i < results.size(); ++i) {
         ContactHistory& history = system_.contacts[i].history;
@@ -55,31 +69,17 @@ void Integrator::accept(double time, std::size_t order, std::vector<BodyState>& 
         statistics_.lost_directions += results[i].law.lost_direction;
         statistics_.centre_lines += results[i].centre_line;
     }
-    const Accumulated before = rates_;
-    rates_ = accumulation_rates(system_, problem_);
-    sums_.add(0.5 * (time - time_), before).add(0.5 * (time - time_), rates_);
-    system_.states.swap(states);
-    const EnergyLedger ledger = energy_ledger(system_, results, sums_, 0);
-    held_last_ = ledger.held();
-    normal_last_ = ledger.normal_elastic;
-    last_step_ = time - time_;
-    time_ = time;
-    ++statistics_.accepted;
-    ++statistics_.orders[order - 1];
-    statistics_.smallest_step = std::min(statistics_.smallest_step, last_step_);
-    statistics_.largest_step = std::max(statistics_.largest_step, last_step_);
-    statistics_.time_stepped += last_step_;
 }
 
-std::unique_ptr<Integrator> make_integrator(System& system, ContactForces& forces,
-                                            const SteppingOptions& options) {
+std::unique_ptr<Integrator> make_integrator(System& system, const ContactForces& forces,
+                                            const SteppingOptions& options, Workers* workers) {
     if (options.method == Method::bdf) {
-        return std::make_unique<Stepper>(system, forces, options);
+        return std::make_unique<Stepper>(system, forces, options, workers);
     }
     if (!(options.fixed_step > 0)) {
         throw std::invalid_argument("an explicit method needs a step");
     }
-    return std::make_unique<ExplicitStepper>(system, forces, options);
+    return std::make_unique<ExplicitStepper>(system, forces, options, workers);
 }
 
 }  // namespace scree

@@ -1,28 +1,52 @@
-// What a step leaves out, estimated from the divided differences of the states.
-
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include <scree/bdf/stepper.hpp>
 
 namespace scree {
 
-double Stepper::largest_error(const std::function<BodyError(std::size_t)>& error_of) const {
-    const ErrorScale scale(system_.bodies, problem_.trial(), options_.tolerances.gravity);
+namespace {
+
+// A NaN counts as the worst.
+double worse(double a, double b) {
+    return b <= a ? a : (b > a ? b : std::numeric_limits<double>::infinity());
+}
+
+template <class ErrorOf>
+double largest_error(std::span<const Body> bodies, const ErrorScale& scale, ErrorOf&& error_of) {
     double largest = 0;
-    for (std::size_t b = 0; b < system_.bodies.size(); ++b) {
-        if (system_.bodies[b].dynamic()) {
-            largest = std::max(largest, scale.norm(b, error_of(b)));
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+        if (bodies[b].dynamic()) {
+            largest = worse(largest, scale.norm(b, error_of(b)));
         }
     }
     return largest;
 }
 
+}  // namespace
+
 double Stepper::local_error(double time, std::size_t order) const {
-    if (history_.count() < order + 1) {
-        return first_error(time - time_);
+    const double allowed = options_.tolerances.a_step(order);
+    if (memory_.past.count() < order + 1) {
+        return first_error(time - memory_.time) / allowed;
     }
-    const auto weights = error_weights(time, history_.times(), order);
-    return largest_error([&](std::size_t b) { return body_error(b, std::span(weights).first(order + 2)); });
+    double largest = largest_difference(time, order);
+    const auto all = error_weights(time, memory_.past.times(), order);
+    const auto weights = std::span(all).first(order + 2);
+    for (std::size_t i = 0; i < system_.contacts.size(); ++i) {
+        largest = worse(largest, friction_error(system_.contacts[i], problem_.results()[i], weights));
+    }
+    return largest / allowed;
+}
+
+// The error of a formula of this order is its scaled difference of one order more.
+double Stepper::largest_difference(double time, std::size_t order) const {
+    const ErrorScale scale(system_.bodies, problem_.trial(), options_.tolerances.gravity);
+    const auto weights = error_weights(time, memory_.past.times(), order);
+    return largest_error(system_.bodies, scale, [&](std::size_t b) {
+        return body_error(b, std::span(weights).first(order + 2));
+    });
 }
 
 // weights: of the new state and the past ones.
@@ -30,11 +54,11 @@ BodyError Stepper::body_error(std::size_t b, std::span<const double> weights) co
     const BodyState& now = trial_states_[b];
     BodyState sum;
     Eigen::Vector4d turn = Eigen::Vector4d::Zero();
-    const Quat sided = now.orientation.dot(history_.states(0)[b].orientation) < 0
+    const Quat sided = now.orientation.dot(memory_.past.states(0)[b].orientation) < 0
                            ? Quat(Eigen::Vector4d(-now.orientation.coeffs()))
                            : now.orientation;
     for (std::size_t k = 1; k < weights.size(); ++k) {
-        const BodyState& past = history_.states(k - 1)[b];
+        const BodyState& past = memory_.past.states(k - 1)[b];
         sum.position += weights[k] * (past.position - now.position);
         sum.momentum += weights[k] * (past.momentum - now.momentum);
         sum.angular_momentum += weights[k] * (past.angular_momentum - now.angular_momentum);
@@ -45,15 +69,42 @@ BodyError Stepper::body_error(std::size_t b, std::span<const double> weights) co
     return {sum.position, angle, velocity(system_.bodies[b], sum), spin(system_.bodies[b], sum)};
 }
 
+// A stuck contact's stored force is a state too: its error as the distance f/kt that it stands for, in the
+// position's weight. One that slips has its force from the limit.
+double Stepper::friction_error(const Contact& contact, const ContactResult& result,
+                               std::span<const double> weights) const {
+    const ContactHistory& history = contact.history;
+    if (result.law.state != ContactState::stick || history.age + 1 < weights.size() ||
+        weights.size() - 1 > history.past.size() || !(contact.pair.tangential_stiffness > 0)) {
+        return 0;
+    }
+    const auto a = static_cast<std::size_t>(contact.a.body);
+    const auto b = static_cast<std::size_t>(contact.b.body);
+    const auto turn = [&](std::size_t body, std::size_t j) {
+        Quat since = problem_.trial()[body].pose.orientation *
+                     memory_.past.states(j)[body].orientation.conjugate();
+        return since.w() < 0 ? Quat(-since.coeffs()) : since;
+    };
+    Vec3 error = weights[0] * result.law.trial.force;
+    for (std::size_t k = 1; k < weights.size(); ++k) {
+        const FrictionRecord& record = history.past[k - 1];
+        error += weights[k] *
+                 carry(record, result.normal, turn(a, k - 1), turn(b, k - 1), true, nullptr).force;
+    }
+    const double size = 0.5 * contact.pair.length;  // of two like bodies the radius
+    return error.norm() / (contact.pair.tangential_stiffness * size * std::sqrt(12.0));
+}
+
 // Without enough past: half of what the new state differs from the tangent at the old one.
 double Stepper::first_error(double step) const {
-    return largest_error([&](std::size_t b) -> BodyError {
+    const ErrorScale scale(system_.bodies, problem_.trial(), options_.tolerances.gravity);
+    return largest_error(system_.bodies, scale, [&](std::size_t b) -> BodyError {
         const Body& body = system_.bodies[b];
         const BodyState& old = system_.states[b];
         const BodyState& now = trial_states_[b];
         BodyState change = now;
-        change.momentum -= old.momentum + step * first_force_[b];
-        change.angular_momentum -= old.angular_momentum + step * first_torque_[b];
+        change.momentum -= old.momentum + step * memory_.force[b];
+        change.angular_momentum -= old.angular_momentum + step * memory_.torque[b];
         const Vec3 moved = now.position - old.position - step * velocity(body, old);
         const Quat turn = now.orientation * old.orientation.conjugate();
         const Vec3 turned = 2 * (turn.w() < 0 ? -1 : 1) * turn.vec() - step * spin(body, old);

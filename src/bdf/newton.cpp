@@ -1,5 +1,6 @@
 #include <scree/bdf/newton.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -11,48 +12,86 @@ constexpr std::size_t most_iterations = 25;
 constexpr std::size_t full_steps = 4;  // before the search sets in
 constexpr std::size_t most_age = 20;   // steps that a factorisation serves
 constexpr double most_change = 0.3;    // of βh, that a factorisation survives
-constexpr double wanted = 1e-3;  // of the tolerance: a friction force that lags must not add up to a creep
-constexpr double stall = 0.5;    // ratio of successive defects, above which they are noise
-constexpr double slow = 0.2;     // ratio of successive steps above which it is made anew
-constexpr double steep = 0.5;    // share of the first slope that a searched step may leave
+constexpr double stall = 0.5;          // ratio of successive defects, above which they are noise
+constexpr double slow = 0.2;           // ratio of successive defects, above which the matrix is made anew
+constexpr double steep = 0.5;          // share of the first slope that a searched step may leave
 constexpr int most_searches = 8;
 constexpr double caps[] = {0.3, 1, 3, 10, 30};
+constexpr double roundings = 32;  // units in the last place of a position that count as none
 
 }  // namespace
 
+double defect_norm(const StepProblem& problem, std::span<const Body> bodies, double gravity) {
+    const ErrorScale scale(bodies, problem.trial(), gravity);
+    double largest = 0;
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+        if (!bodies[b].dynamic()) {
+            continue;
+        }
+        const auto row = static_cast<Eigen::Index>(6 * b);
+        BodyState defect;
+        defect.orientation = problem.trial()[b].pose.orientation;
+        defect.momentum = problem.residual().segment<3>(row);
+        defect.angular_momentum = problem.residual().segment<3>(row + 3);
+        const double size =
+            scale.norm(b, {Vec3::Zero(), Vec3::Zero(), velocity(bodies[b], defect), spin(bodies[b], defect)});
+        largest = size <= largest ? largest : size;
+    }
+    return largest;
+}
+
+bool at_rounding(const StepProblem& problem, std::span<const Body> bodies, const Eigen::VectorXd& change) {
+    constexpr double unit = roundings * std::numeric_limits<double>::epsilon();
+    const double beta_h = problem.formulas().beta_h;
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+        const auto row = static_cast<Eigen::Index>(6 * b);
+        const double size = bodies[b].radius;
+        const double moved = beta_h * change.segment<3>(row).norm();
+        const double turned = beta_h * change.segment<3>(row + 3).norm();
+        const double here = problem.trial()[b].pose.position.norm() + size;
+        if (bodies[b].dynamic() && !(moved + turned * size <= unit * here)) {
+            return false;
+        }
+    }
+    return true;
+}
+
 bool Newton::solve(StepProblem& problem, std::span<const Body> bodies, double gravity, double tolerance,
                    Eigen::VectorXd& u) {
-    const Eigen::VectorXd predicted = u;
+    predicted_ = u;
     effort_ = 0;
-    if (iterate(problem, bodies, gravity, tolerance, most_iterations, u) == Outcome::converged) {
+    if (iterate(problem, bodies, gravity, tolerance, u) == Outcome::converged) {
         return true;
     }
     // From softer friction to the law as it is, each from the last solution.
-    u = predicted;
+    u = predicted_;
     for (const double cap : caps) {
         problem.cap_friction(cap);
         forget();
-        if (iterate(problem, bodies, gravity, tolerance, most_iterations, u) == Outcome::failed) {
+        if (iterate(problem, bodies, gravity, tolerance, u) == Outcome::failed) {
             break;
         }
     }
     problem.cap_friction(std::numeric_limits<double>::infinity());
     forget();
-    if (iterate(problem, bodies, gravity, tolerance, most_iterations, u) == Outcome::converged) {
+    if (iterate(problem, bodies, gravity, tolerance, u) == Outcome::converged) {
         return true;
     }
     forget();
-    u = predicted;
+    u = predicted_;
     return false;
 }
 
 Newton::Outcome Newton::iterate(StepProblem& problem, std::span<const Body> bodies, double gravity,
-                                double tolerance, std::size_t most, Eigen::VectorXd& u) {
+                                double tolerance, Eigen::VectorXd& u) {
     bool anew = stale(problem);
-    double last = std::numeric_limits<double>::infinity();
-    problem.evaluate(u, anew ? Detail::derivative : Detail::force);
     ++age_;
-    for (std::size_t i = 0; i < most; ++i) {
+    problem.evaluate(u, anew ? Detail::derivative : Detail::force);
+    double last = defect_norm(problem, bodies, gravity);
+    if (last <= solved_share * tolerance) {
+        return Outcome::converged;
+    }
+    for (std::size_t i = 0; i < most_iterations; ++i) {
         anew = anew || problem.states_changed();
         if (anew && !refresh(problem, u)) {
             return Outcome::failed;
@@ -69,13 +108,15 @@ Newton::Outcome Newton::iterate(StepProblem& problem, std::span<const Body> bodi
         // Who had to renew the matrix once will probably have to again.
         problem.evaluate(u, anew ? Detail::derivative : Detail::force);
         const double defect = defect_norm(problem, bodies, gravity);
-        // At the rounding of the forces an exact direction gains nothing more.
-        const bool stalled = anew && defect > stall * last;
-        if (defect <= wanted * tolerance || (stalled && defect <= tolerance)) {
-            return Outcome::converged;
-        }
         if (!std::isfinite(defect)) {
             return Outcome::failed;
+        }
+        // At the rounding of the forces, or of the positions that they follow from, an exact direction gains
+        // nothing more.
+        const bool stalled = anew && defect > stall * last;
+        if (defect <= solved_share * tolerance ||
+            (stalled && (defect <= tolerance || at_rounding(problem, bodies, direction_)))) {
+            return Outcome::converged;
         }
         anew = defect > slow * last || share < 1;
         last = defect;
@@ -127,27 +168,6 @@ double Newton::search(StepProblem& problem, const Eigen::VectorXd& u, const Eige
         (at < 0 ? low_slope : high_slope) = at;
     }
     return share;
-}
-
-// The residual as the velocities that it leaves unexplained. It bounds the error of u, which the stiffness
-// divides, and the error of the momenta, which take the forces as they are.
-double Newton::defect_norm(const StepProblem& problem, std::span<const Body> bodies, double gravity) {
-    const ErrorScale scale(bodies, problem.trial(), gravity);
-    double largest = 0;
-    for (std::size_t b = 0; b < bodies.size(); ++b) {
-        if (!bodies[b].dynamic()) {
-            continue;
-        }
-        const auto row = static_cast<Eigen::Index>(6 * b);
-        BodyState defect;
-        defect.orientation = problem.trial()[b].pose.orientation;
-        defect.momentum = problem.residual().segment<3>(row);
-        defect.angular_momentum = problem.residual().segment<3>(row + 3);
-        const double size =
-            scale.norm(b, {Vec3::Zero(), Vec3::Zero(), velocity(bodies[b], defect), spin(bodies[b], defect)});
-        largest = size <= largest ? largest : size;
-    }
-    return largest;
 }
 
 }  // namespace scree

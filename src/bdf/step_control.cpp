@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <scree/bdf/stepper.hpp>
+#include <scree/bdf/touch_limit.hpp>
 
 namespace scree {
 
@@ -16,13 +17,15 @@ constexpr double least_gain = 1.5;
 constexpr std::array<double, highest_order> most_growth{10, 2, 1.4, 1.4,
                                                         1.4};  // keeps the formula zero-stable
 constexpr double most_shrink = 0.2;
-constexpr double newton_shrink = 0.25;
+constexpr double solver_shrink = 0.25;
 constexpr std::size_t brisk = 6;  // iterations a step, above which it does not grow
 constexpr std::size_t hard = 10;  // above which it shrinks, for the sake of the work per second
 constexpr double easing = 0.7;
-constexpr double smallest_share = 1e-9;   // of a tick, below which a step is not tried
-constexpr std::size_t most_renewals = 4;  // of the candidate pairs, before the step is cut
-constexpr std::size_t most_failures = 3;  // before order 1
+constexpr double smallest_share = 1e-9;     // of a tick, below which a step is not tried
+constexpr std::size_t most_failures = 3;    // before order 1
+constexpr double even = 0.3;                // ratio of differences two orders apart that is suspect
+constexpr std::size_t most_suspect = 5;     // successive steps, before the order is left
+constexpr std::size_t steps_barred = 100;   // from coming back
 
 double gain(double error, double with_bias, std::size_t order) {
     return 1 / (std::pow(with_bias * error, 1.0 / static_cast<double>(order + 1)) + 1e-6);
@@ -32,10 +35,12 @@ double gain(double error, double with_bias, std::size_t order) {
 
 // Never beyond the end, and never so close to it that a sliver is left.
 double Stepper::choose_step(double end) const {
-    const double left = end - time_;
-    double step = step_;
+    const double left = end - memory_.time;
+    double step = memory_.next_step;
     if (options_.fixed_step > 0 && failures_ == 0) {
         step = options_.fixed_step;
+    } else if (options_.fixed_step == 0) {
+        step = touch_limit(system_, std::min(step, left));
     }
     if (!(step < left)) {
         return left;
@@ -44,69 +49,82 @@ double Stepper::choose_step(double end) const {
     return options_.fixed_step > 0 || parts < 3 ? left / parts : step;
 }
 
-// Order and step of the next step, after one of `error` at order_.
+// Order and step of the next step, after one of `error` at the present order.
 void Stepper::plan_next(double time, double error) {
     if (options_.fixed_step > 0) {
         return;
     }
-    const double step = time - time_;
-    ++held_;
-    double best = gain(error, bias, order_);
-    std::size_t order = order_;
-    if (held_ > order_ || order_ == 1) {
-        if (order_ > 1) {
-            const double down =
-                gain(local_error(time, order_ - 1) / options_.tolerances.sum(), bias, order_ - 1);
-            if (down > best) {
-                best = down, order = order_ - 1;
-            }
-        }
-        if (order_ < options_.max_order && history_.count() >= order_ + 2) {
-            const double up =
-                gain(local_error(time, order_ + 1) / options_.tolerances.sum(), bias_up, order_ + 1);
-            if (up > best) {
-                best = up, order = order_ + 1;
-            }
+    const double step = time - memory_.time;
+    const std::size_t present = memory_.order;
+    ++memory_.held;
+    memory_.barred -= memory_.barred > 0 ? 1 : 0;
+    double best = gain(error, bias, present);
+    std::size_t order = present;
+    const bool free_choice = memory_.held > present || present == 1;
+    if (free_choice && present > 1) {
+        const double down = gain(local_error(time, present - 1), bias, present - 1);
+        if (down > best) {
+            best = down, order = present - 1;
         }
     }
-    best = std::min({best, most_growth[order - 1], newton_.effort() > hard ? easing : best});
-    if (newton_.effort() > brisk) {
+    const bool may_rise = present < options_.max_order && (present < 2 || memory_.barred == 0);
+    if (free_choice && may_rise && memory_.past.count() >= present + 2) {
+        const double up = gain(local_error(time, present + 1), bias_up, present + 1);
+        if (up > best) {
+            best = up, order = present + 1;
+        }
+    }
+    best = std::min({best, most_growth[order - 1], corrector_.effort() > hard ? easing : best});
+    if (corrector_.effort() > brisk) {
         best = std::min(best, 1.0);
     }
     if (best < 1) {
-        step_ = step * std::max(best, most_shrink);
-    } else if (held_ > order_ && (best >= least_gain || order != order_)) {
-        step_ = step * best;
-        held_ = 0;
+        memory_.next_step = step * std::max(best, most_shrink);
+    } else if (memory_.held > present && (best >= least_gain || order != present)) {
+        memory_.next_step = step * best;
+        memory_.held = 0;
     } else {
-        step_ = std::max(step_, step);  // it may have been cut short by the tick's end
-        order = order_;
+        memory_.next_step = std::max(memory_.next_step, step);  // it may have been cut by the tick's end
+        order = present;
     }
-    order_ = order;
+    memory_.order = order;
+    watch_stability(time);
+}
+
+// Above order 2 the formulas are unstable for oscillations of little damping, and the error test then only
+// keeps the step at the limit. There the solution's differences do not fall from order to order any more, as
+// they do where the step resolves it.
+void Stepper::watch_stability(double time) {
+    if (memory_.order < 3 || memory_.past.count() < memory_.order + 2) {
+        memory_.suspect = 0;
+        return;
+    }
+    const double high = largest_difference(time, memory_.order + 1);
+    const double low = largest_difference(time, memory_.order - 1);
+    memory_.suspect = high > even * low ? memory_.suspect + 1 : 0;
+    if (memory_.suspect >= most_suspect) {
+        --memory_.order;
+        ++statistics_.unstable_orders;
+        memory_.suspect = memory_.held = 0;
+        memory_.barred = steps_barred;
+    }
 }
 
 // After a failed attempt. False: there is no smaller step to try.
 bool Stepper::shrink(Attempt why, double step, double tick) {
-    if (why == Attempt::not_covered) {
-        ++statistics_.rejected_contact;
-        newton_.forget();
-        if (++renewals_ <= most_renewals) {
-            return true;
-        }
-    }
     ++failures_;
-    held_ = 0;
-    if (why == Attempt::newton_failed) {
+    memory_.held = 0;
+    if (why == Attempt::not_solved) {
         ++statistics_.rejected_newton;
-        step_ = step * newton_shrink;
+        memory_.next_step = step * solver_shrink;
     } else {
         ++statistics_.rejected_error;
-        step_ = step * std::clamp(gain(error_, bias, order_), most_shrink, 0.9);
+        memory_.next_step = step * std::clamp(gain(error_, bias, memory_.order), most_shrink, 0.9);
     }
     if (failures_ >= most_failures) {
-        order_ = 1;
+        memory_.order = 1;
     }
-    return step_ > smallest_share * tick;
+    return memory_.next_step > smallest_share * tick;
 }
 
 }  // namespace scree

@@ -7,27 +7,31 @@ namespace scree {
 
 namespace {
 
-constexpr double newton_share = 0.01;  // of the error tolerance, left to Newton's iteration
+constexpr double solver_share = 0.01;  // of the error tolerance, left to the solution of the equations
 constexpr double first_share = 1e-3;   // of the time to fall or move by one's own radius
 
 }  // namespace
 
 void Stepper::restart(double time) {
-    time_ = time;
-    order_ = 1;
-    held_ = 0;
-    failures_ = 0;
-    newton_.forget();
+    const double planned = memory_.next_step;
+    memory_ = {};
+    memory_.time = time;
     for (Contact& contact : system_.contacts) {
         contact.history.age = std::min<std::size_t>(contact.history.age, 1);
     }
     evaluate_present(u_);
-    first_force_ = problem_.forces();
-    first_torque_ = problem_.torques();
-    open_ledger();
-    history_.restart(time, system_.states);
+    memory_.past.restart(time, system_.states);
     const double first = first_step();
-    step_ = step_ > 0 ? std::min(step_, first) : first;
+    memory_.next_step = planned > 0 ? std::min(planned, first) : first;
+    corrector_.forget();
+}
+
+void Stepper::resume(const SteppingMemory& memory) {
+    memory_ = memory;
+    if (!memory_.powers || memory_.past.count() == 1) {
+        evaluate_present(u_);
+    }
+    corrector_.forget();
 }
 
 double Stepper::first_step() const {
@@ -50,60 +54,67 @@ double Stepper::first_step() const {
     return first_share * least;
 }
 
-bool Stepper::step(double end) {
-    const double tick = end - time_;
+StepOutcome Stepper::step(double end) {
+    const double tick = end - memory_.time;
     failures_ = 0;
-    renewals_ = 0;
     while (true) {
         const double step = choose_step(end);
-        const double time = step == end - time_ ? end : time_ + step;
+        const double time = step == end - memory_.time ? end : memory_.time + step;
         const Attempt outcome = attempt(time);
         if (outcome == Attempt::accepted) {
-            return true;
+            return StepOutcome::accepted;
+        }
+        if (outcome == Attempt::not_covered) {
+            ++statistics_.rejected_contact;
+            return StepOutcome::left_cover;
         }
         if (!shrink(outcome, step, tick)) {
-            return false;
+            return StepOutcome::failed;
         }
     }
 }
 
 Stepper::Attempt Stepper::attempt(double time) {
     predict(time);
-    const Tolerances& tolerances = options_.tolerances;
-    if (!newton_.solve(problem_, system_.bodies, tolerances.gravity, newton_share * tolerances.sum(), u_)) {
-        return Attempt::newton_failed;
+    const double allowed = options_.tolerances.a_step(memory_.order);
+    const bool solved = corrector_.solve(problem_, system_, solver_share * allowed, memory_.stiffness,
+                                         memory_.patience, u_);
+    statistics_.newton.add(corrector_.take_statistics());
+    if (!solved) {
+        return Attempt::not_solved;
     }
     problem_.new_states(trial_states_);
-    error_ = local_error(time, order_) / tolerances.sum();
+    error_ = local_error(time, memory_.order);
     if (options_.fixed_step == 0 && !(error_ <= 1)) {
         return Attempt::error_too_large;
     }
     if (covered_ && !covered_(problem_.trial())) {
         return Attempt::not_covered;
     }
-    const double error = error_;
-    plan_next(time, error);
+    plan_next(time, error_);
     commit(time);
     return Attempt::accepted;
 }
 
 // Sets the formulas of the step and u to the velocities that the past extrapolates to.
 void Stepper::predict(double time) {
+    const StateHistory& past = memory_.past;
     if (options_.fixed_step > 0) {
-        const bool grows = last_step_ > 0 && time - time_ > 2 * last_step_;
-        order_ = grows ? 1 : std::min(options_.max_order, history_.count());
+        const bool grows = memory_.last_step > 0 && time - memory_.time > 2 * memory_.last_step;
+        memory_.order = grows ? 1 : std::min(options_.max_order, past.count());
     }
-    order_ = std::min(order_, history_.count());
+    memory_.order = std::min(memory_.order, past.count());
     StepFormulas formulas;
-    formulas.order = order_;
-    formulas.step = time - time_;
-    for (std::size_t q = 1; q <= order_; ++q) {
-        formula_ = bdf_formula(time, history_.times(), q);
+    formulas.order = memory_.order;
+    formulas.time = time;
+    formulas.step = time - memory_.time;
+    for (std::size_t q = 1; q <= memory_.order; ++q) {
+        formula_ = bdf_formula(time, past.times(), q);
         formulas.past[q - 1] = formula_.past;
         formulas.friction_beta_h[q - 1] = formula_.beta_h;
     }
     formulas.beta_h = formula_.beta_h;
-    history_.start(formula_, order_, starts_);
+    past.start(formula_, memory_.order, starts_);
     start_momentum_.setZero();
     for (std::size_t b = 0; b < starts_.size(); ++b) {
         if (system_.bodies[b].dynamic()) {
@@ -112,16 +123,17 @@ void Stepper::predict(double time) {
     }
     problem_.begin(formulas, starts_);
 
-    const std::size_t points = std::min(order_ + 1, history_.count());
-    const auto weights = extrapolation(time, history_.times(), points);
+    const std::size_t points = std::min(memory_.order + 1, past.count());
+    const auto weights = extrapolation(time, past.times(), points);
+    u_.resize(static_cast<Eigen::Index>(6 * system_.bodies.size()));
     for (std::size_t b = 0; b < system_.bodies.size(); ++b) {
         const Body& body = system_.bodies[b];
         BodyState state = system_.states[b];
         for (std::size_t j = 1; body.dynamic() && j < points; ++j) {
-            const BodyState& past = history_.states(j)[b];
-            state.momentum += weights[j] * (past.momentum - system_.states[b].momentum);
+            const BodyState& earlier = past.states(j)[b];
+            state.momentum += weights[j] * (earlier.momentum - system_.states[b].momentum);
             state.angular_momentum +=
-                weights[j] * (past.angular_momentum - system_.states[b].angular_momentum);
+                weights[j] * (earlier.angular_momentum - system_.states[b].angular_momentum);
         }
         u_.segment<3>(static_cast<Eigen::Index>(6 * b)) = velocity(body, state);
         u_.segment<3>(static_cast<Eigen::Index>(6 * b + 3)) = spin(body, state);
@@ -130,8 +142,8 @@ void Stepper::predict(double time) {
 
 void Stepper::commit(double time) {
     accept(time, problem_.formulas().order, trial_states_);
-    history_.push(time, system_.states);
-    momentum_residual_ +=
+    memory_.past.push(time, system_.states);
+    flows_.momentum_gain +=
         total_momentum(system_) - start_momentum_ - formula_.beta_h * outside_force(system_, problem_);
 }
 

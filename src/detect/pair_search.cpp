@@ -39,11 +39,6 @@ bool same(const btVector3& a, const btVector3& b) {
 
 }  // namespace
 
-double largest_move(const Pose& from, const Pose& to, double radius) {
-    const double half_turn = (to.orientation * from.orientation.conjugate()).vec().norm();  // its sine
-    return (to.position - from.position).norm() + (half_turn > 0 ? 2 * radius * half_turn : 0);
-}
-
 const std::vector<PartPair>& PairSearch::find(btCollisionWorld& world, std::span<const SearchBody> bodies) {
     place(world, bodies);
     world.computeOverlappingPairs();

@@ -2,6 +2,11 @@
 
 namespace scree {
 
+ContactWorkspace& contact_workspace() {
+    thread_local ContactWorkspace workspace;
+    return workspace;
+}
+
 bool locate(const Contact& contact, const TrialBody& a, const TrialBody& b, Detail detail,
             OverlapWorkspace& workspace, ContactGeometry& geometry, PairArms& arms) {
     const Pose pose_a = a.pose * contact.a.local;

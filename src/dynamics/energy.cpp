@@ -107,6 +107,27 @@ EnergyLedger energy_ledger(const System& system, std::span<const ContactResult> 
     return ledger;
 }
 
+void EnergyAccount::open(const System& system, std::span<const ContactResult> results) {
+    const EnergyLedger now = energy_ledger(system, results, sums_, start_);
+    if (started_) {
+        sums_.applied += now.held() - ledger_.held();
+        sums_.normal += now.normal_elastic - ledger_.normal_elastic;
+        sums_.tangential += now.tangential_elastic - ledger_.tangential_elastic;
+    } else {
+        start_ = now.held();
+        sums_.normal = now.normal_elastic;
+        started_ = true;
+    }
+    ledger_ = energy_ledger(system, results, sums_, start_);
+}
+
+void EnergyAccount::settle(const System& system, std::span<const ContactResult> results,
+                           const Flows& flows) {
+    sums_.add(1, flows.energy);
+    momentum_gain_ += flows.momentum_gain;
+    ledger_ = energy_ledger(system, results, sums_, start_);
+}
+
 Vec3 total_momentum(const System& system) {
     Vec3 sum = Vec3::Zero();
     for (std::size_t b = 0; b < system.bodies.size(); ++b) {

@@ -10,13 +10,11 @@ std::size_t at(int i) {
     return static_cast<std::size_t>(i);
 }
 
-// d(p, L)/d(v, ω): L = I(q) ω turns with the body.
+// d(p, L)/d(v, ω).
 Mat6 inertia_block(const Body& body, const TrialBody& trial) {
-    const Mat3 inertia = world_inertia(body, trial.pose.orientation);
     Mat6 block = Mat6::Zero();
     block.topLeftCorner<3, 3>() = body.mass * Mat3::Identity();
-    block.bottomRightCorner<3, 3>() =
-        inertia + (inertia * cross_matrix(trial.spin) - cross_matrix(inertia * trial.spin)) * trial.turn_rate;
+    block.bottomRightCorner<3, 3>() = turning_inertia(body, trial);
     return block;
 }
 
@@ -28,6 +26,13 @@ Mat6 stacked(const Mat39& force, const Mat39& moment, int column) {
 }
 
 }  // namespace
+
+// L = I(q) ω, and I turns with q.
+Mat3 turning_inertia(const Body& body, const TrialBody& trial) {
+    const Mat3 inertia = world_inertia(body, trial.pose.orientation);
+    return inertia +
+           (inertia * cross_matrix(trial.spin) - cross_matrix(inertia * trial.spin)) * trial.turn_rate;
+}
 
 void Jacobian::assemble(std::span<const Body> bodies, std::span<const TrialBody> trial,
                         std::span<const Contact> contacts, std::span<const ContactResult> results,

@@ -1,6 +1,17 @@
 #include <scree/dynamics/step_problem.hpp>
 
+#include <algorithm>
+
+#include <scree/dynamics/stopwatch.hpp>
+
 namespace scree {
+
+namespace {
+
+constexpr std::size_t block = 32;           // contacts that one worker takes at a time
+constexpr std::size_t least_shared = 256;   // contacts, below which sharing costs more than it saves
+
+}  // namespace
 
 void StepProblem::begin(const StepFormulas& formulas, std::vector<BodyStart>& starts) {
     formulas_ = formulas;
@@ -11,12 +22,28 @@ void StepProblem::begin(const StepFormulas& formulas, std::vector<BodyStart>& st
 }
 
 void StepProblem::evaluate(const Eigen::VectorXd& u, Detail detail) {
+    const Stopwatch watch(detail == Detail::force ? costs_.contacts : costs_.jacobian);
     detail_ = detail;
     place_bodies(u);
-    forces_.evaluate(system_.contacts, trial_, formulas_, detail, results_);
-    evaluations_ += system_.contacts.size();
+    evaluate_contacts();
     sum_forces();
     fill_residual();
+}
+
+// In blocks that do not depend on how many share them.
+void StepProblem::evaluate_contacts() {
+    const std::span<const Contact> contacts = system_.contacts;
+    costs_.evaluations += contacts.size();
+    if (workers_ == nullptr || workers_->threads() == 1 || contacts.size() < least_shared) {
+        forces_.evaluate(contacts, trial_, formulas_, detail_, results_);
+        return;
+    }
+    workers_->run((contacts.size() + block - 1) / block, [&](std::size_t i) {
+        const std::size_t begin = i * block;
+        const std::size_t size = std::min(block, contacts.size() - begin);
+        forces_.evaluate(contacts.subspan(begin, size), trial_, formulas_, detail_,
+                         std::span(results_).subspan(begin, size));
+    });
 }
 
 void StepProblem::place_bodies(const Eigen::VectorXd& u) {
@@ -90,8 +117,30 @@ bool StepProblem::factorize() {
     for (std::size_t i = 0; i < results_.size(); ++i) {
         factorized_states_[i] = results_[i].law.state;
     }
-    jacobian_.assemble(system_.bodies, trial_, system_.contacts, results_, formulas_.beta_h);
+    {
+        const Stopwatch watch(costs_.jacobian);
+        jacobian_.assemble(system_.bodies, trial_, system_.contacts, results_, formulas_.beta_h);
+    }
+    const Stopwatch watch(costs_.solve);
     return jacobian_.factorize();
+}
+
+void StepProblem::solve(Eigen::VectorXd& x) {
+    const Stopwatch watch(costs_.solve);
+    jacobian_.solve(x);
+}
+
+void StepProblem::solve_inertia(Eigen::VectorXd& x) const {
+    for (std::size_t b = 0; b < trial_.size(); ++b) {
+        const auto row = static_cast<Eigen::Index>(6 * b);
+        if (!system_.bodies[b].dynamic()) {
+            x.segment<6>(row).setZero();
+            continue;
+        }
+        x.segment<3>(row) /= system_.bodies[b].mass;
+        const Mat3 turning = turning_inertia(system_.bodies[b], trial_[b]);
+        x.segment<3>(row + 3) = turning.inverse() * x.segment<3>(row + 3);
+    }
 }
 
 void StepProblem::new_states(std::vector<BodyState>& states) const {

@@ -63,6 +63,18 @@ double radius_of(const std::vector<Vec3>& vertices) {
     return std::sqrt(square);
 }
 
+double width_of(const std::vector<Vec3>& vertices, const std::vector<Plane>& planes) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Plane& plane : planes) {
+        double lowest = plane.offset;
+        for (const Vec3& v : vertices) {
+            lowest = std::min(lowest, plane.normal.dot(v));
+        }
+        least = std::min(least, plane.offset - lowest);
+    }
+    return least;
+}
+
 }  // namespace
 
 ConvexPolyhedron make_polyhedron(std::vector<Vec3> vertices, const std::vector<std::vector<int>>& faces) {
@@ -83,6 +95,7 @@ ConvexPolyhedron make_polyhedron(std::vector<Vec3> vertices, const std::vector<s
         solid.face_begin.push_back(static_cast<int>(solid.half_edges.size()));
     }
     solid.radius = radius_of(vertices);
+    solid.width = width_of(vertices, solid.planes);
     solid.vertices = std::move(vertices);
     return solid;
 }

@@ -92,6 +92,7 @@ Solid scaled(const Solid& solid, double factor) {
             plane.offset *= factor;
         }
         larger.radius *= factor;
+        larger.width *= factor;
         other.shape = std::make_shared<const Shape>(std::move(larger));
         other.collision = std::make_shared<PolyhedronShape>(other.shape);
     }

@@ -16,7 +16,8 @@ class LawChoice final : public ContactForces {
     void choose(std::span<const Contact> contacts);
 
     void evaluate(std::span<const Contact> contacts, std::span<const TrialBody> bodies,
-                  const StepFormulas& formulas, Detail detail, std::span<ContactResult> results) override {
+                  const StepFormulas& formulas, Detail detail,
+                  std::span<ContactResult> results) const override {
         current_->evaluate(contacts, bodies, formulas, detail, results);
     }
 

@@ -5,7 +5,7 @@
 
 #include <scree/detect/convert.hpp>
 
-#include "stopwatch.hpp"
+#include <scree/dynamics/stopwatch.hpp>
 
 namespace scree {
 

@@ -1,6 +1,8 @@
 #pragma once
 
-#include <scree/dynamics/step_problem.hpp>
+#include <span>
+
+#include <scree/dynamics/trial.hpp>
 
 namespace scree {
 
@@ -11,6 +13,11 @@ struct Tolerances {
     double gravity = 9.81;  ///< ‖g‖ [m/s²]
 
     [[nodiscard]] double sum() const { return relative + absolute; }
+
+    /// What the local error of one step of a formula of this order may be. A method of order q that allows an
+    /// error ε a step makes one of ε^{q/(q+1)} a second; so a step is allowed less than the sum, by as much as
+    /// makes the error of a run proportional to the tolerance. At a sum of 10⁻³ and above it is the sum.
+    [[nodiscard]] double a_step(std::size_t order) const;
 };
 
 /// An error, or any small change, of one body's state.
@@ -30,7 +37,9 @@ class ErrorScale {
 
   private:
     std::span<const Body> bodies_;
-    std::vector<double> speed_;  ///< [m/s], one a body
+    std::span<const TrialBody> trial_;
+    double gravity_;
+    double fastest_;  ///< [m/s]
 };
 
 }  // namespace scree

@@ -9,20 +9,19 @@ namespace scree {
 /// step.
 class ExplicitStepper final : public Integrator {
   public:
-    ExplicitStepper(System& system, ContactForces& forces, const SteppingOptions& options)
-        : Integrator(system, forces, options) {}
+    ExplicitStepper(System& system, const ContactForces& forces, const SteppingOptions& options,
+                    Workers* workers = nullptr)
+        : Integrator(system, forces, options, workers) {}
 
     void restart(double time) override;
-    bool step(double end) override;
-    [[nodiscard]] std::size_t order() const override {
-        return options_.method == Method::velocity_verlet ? 2 : 1;
-    }
+    void resume(const SteppingMemory& memory) override;
+    StepOutcome step(double end) override;
 
   private:
     /// Adds the forces of the last evaluation, over `duration` [s], to momenta.
     void kick(double duration, std::vector<BodyState>& states) const;
-    /// Moves all bodies with the velocities of `states` and computes the forces there.
-    void drift(double step, const std::vector<BodyState>& states);
+    /// Moves all bodies with the velocities of `states` to `time` [s] and computes the forces there.
+    void drift(double time, const std::vector<BodyState>& states);
     [[nodiscard]] bool finite(const std::vector<BodyState>& states) const;
 
     std::vector<BodyState> states_;  ///< of the step under way

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <deque>
 #include <span>
 #include <vector>
 
@@ -10,13 +9,17 @@
 namespace scree {
 
 /// Accepted states of all bodies at past times, the latest first; as many as the highest order's error test
-/// needs.
+/// needs. Quaternions of successive times are on one side of the sphere.
 class StateHistory {
   public:
+    static constexpr std::size_t most = highest_order + 2;
+
     /// Forgets everything but this state.
     void restart(double time, const std::vector<BodyState>& states);
-    /// An accepted step. Quaternions are kept on the side of the sphere where the last ones are.
+    /// An accepted step.
     void push(double time, const std::vector<BodyState>& states);
+    /// Older values behind those that are there; the times must go down.
+    void append(double time, const std::vector<BodyState>& states);
 
     [[nodiscard]] std::size_t count() const { return times_.size(); }
     [[nodiscard]] std::span<const double> times() const { return times_; }
@@ -25,9 +28,13 @@ class StateHistory {
     /// Σ formula.past[j] y_{n−j} for each body.
     void start(const BdfFormula& formula, std::size_t order, std::vector<BodyStart>& starts) const;
 
+    /// A body's state at a time between the oldest and the latest, by the polynomial through the latest
+    /// `points` values.
+    [[nodiscard]] BodyState at(double time, std::size_t body, std::size_t points) const;
+
   private:
     std::vector<double> times_;
-    std::deque<std::vector<BodyState>> states_;
+    std::vector<std::vector<BodyState>> states_;  ///< at least as many as times
 };
 
 }  // namespace scree

@@ -2,103 +2,103 @@
 
 #include <array>
 #include <functional>
+#include <memory>
+#include <optional>
+#include <utility>
 
+#include <scree/bdf/corrector.hpp>
 #include <scree/bdf/error_norm.hpp>
-#include <scree/bdf/newton.hpp>
+#include <scree/bdf/history.hpp>
+#include <scree/bdf/options.hpp>
+#include <scree/bdf/statistics.hpp>
 #include <scree/dynamics/energy.hpp>
 
 namespace scree {
 
-enum class Method { bdf, symplectic_euler, velocity_verlet };
-
-struct SteppingOptions {
-    Method method = Method::bdf;
-    std::size_t max_order = 2;  ///< of BDF, 1 to 5; only 1 and 2 are A-stable
-    double fixed_step = 0;      ///< [s]; 0: chosen by the error test, which only BDF has
-    Tolerances tolerances;
+/// All that a method carries from one step to the next, besides the system's states and what its contacts
+/// remember.
+struct SteppingMemory {
+    double time = 0;              ///< [s]
+    double last_step = 0;         ///< [s], the last accepted; 0: none yet
+    double next_step = 0;         ///< [s], to be tried; 0: none yet
+    std::size_t order = 1;        ///< to be tried
+    std::size_t held = 0;         ///< accepted steps since order or step changed
+    std::size_t suspect = 0;      ///< successive steps that look unstable at their order
+    std::size_t barred = 0;       ///< accepted steps for which a higher order is out of question
+    Stiffness stiffness;          ///< of the contacts at `time`
+    std::size_t patience = 0;     ///< steps until the functional corrector may be tried again
+    StateHistory past;            ///< the present state, then earlier ones
+    std::optional<Accumulated> powers;  ///< [W], where energy flows at `time`; empty: to be found anew
+    std::vector<Vec3> force, torque;    ///< [N], [N m], that a next explicit step or a first error test starts from
 };
 
-struct SteppingStatistics {
-    std::size_t accepted = 0;
-    std::size_t rejected_error = 0;
-    std::size_t rejected_newton = 0;
-    std::size_t rejected_contact = 0;  ///< a body left the region that its candidate pairs cover
-    double smallest_step = std::numeric_limits<double>::infinity();  ///< [s], of those accepted
-    double largest_step = 0;                                         ///< [s]
-    double time_stepped = 0;                                         ///< [s]
-    std::array<std::size_t, highest_order> orders{};                 ///< accepted steps of order 1, 2, …
-    std::size_t lost_directions = 0;  ///< stored forces that had no projection on their new plane
-    std::size_t centre_lines = 0;     ///< contacts and steps whose normal was the line of centres
+/// Why `Integrator::step` has come back.
+enum class StepOutcome {
+    accepted,
+    failed,      ///< no step can be made that keeps what the method promises
+    left_cover,  ///< a body leaves the region for which the contacts are complete
 };
 
-/// Carries a system forward in time, one accepted step at a time, and keeps the books.
+/// Carries a system forward in time, one accepted step at a time.
 class Integrator {
   public:
     virtual ~Integrator() = default;
     Integrator(const Integrator&) = delete;
     Integrator& operator=(const Integrator&) = delete;
 
-    /// Starts afresh from the system's present states: after any change from outside.
+    /// Starts afresh from the system's present states: after any change from outside. Contacts keep their last
+    /// friction force.
     virtual void restart(double time) = 0;
+    /// Goes on from the system's present states with what was carried that far.
+    virtual void resume(const SteppingMemory& memory) = 0;
+    [[nodiscard]] const SteppingMemory& memory() const { return memory_; }
 
-    /// One accepted step that ends at `end` [s] or before. Returns false when no step can be made that keeps
-    /// what the method promises; the system is then left at the last accepted state.
-    virtual bool step(double end) = 0;
+    /// One accepted step that ends at `end` [s] or before; otherwise the system is left at the last accepted
+    /// state.
+    virtual StepOutcome step(double end) = 0;
 
     /// The system's contacts are others than before.
     virtual void contacts_renewed() {}
 
-    /// Asked with the bodies of a step that is about to be accepted. If it returns false it has renewed the
-    /// system's contacts, and the step is made again.
+    /// Asked with the bodies of a step that is about to be accepted: whether the contacts are complete there.
     using Covered = std::function<bool(std::span<const TrialBody>)>;
     void set_covered(Covered covered) { covered_ = std::move(covered); }
 
-    /// Where the energy is at the last accepted step.
-    [[nodiscard]] EnergyLedger energy() const;
-    /// Momentum gained without an impulse from outside, summed over all steps [kg m/s].
-    [[nodiscard]] const Vec3& momentum_residual() const { return momentum_residual_; }
-
-    [[nodiscard]] double time() const { return time_; }
-    [[nodiscard]] double last_step() const { return last_step_; }
+    [[nodiscard]] double time() const { return memory_.time; }
     [[nodiscard]] const SteppingStatistics& statistics() const { return statistics_; }
     [[nodiscard]] const StepProblem& problem() const { return problem_; }
-    [[nodiscard]] virtual std::size_t order() const = 0;
-    [[nodiscard]] virtual NewtonStatistics newton() const { return {}; }
+
+    /// What has flowed over all accepted steps since this was made or the flows were last taken.
+    [[nodiscard]] const Flows& flows() const { return flows_; }
+    /// Hands the flows and the counts over and starts both at zero.
+    Flows take_flows() { return std::exchange(flows_, {}); }
+    SteppingStatistics take_statistics();
 
   protected:
-    Integrator(System& system, ContactForces& forces, const SteppingOptions& options)
-        : system_(system), options_(options), problem_(system, forces) {}
+    Integrator(System& system, const ContactForces& forces, const SteppingOptions& options, Workers* workers)
+        : system_(system), options_(options), problem_(system, forces, workers) {}
 
     /// Evaluates the problem at the system's present states, with u the velocities there.
     void evaluate_present(Eigen::VectorXd& u);
-    /// Starts or continues the ledger at the present states, which evaluate_present has evaluated. What was
-    /// changed from outside since the last step counts as work from outside.
-    void open_ledger();
-    /// Makes `states` and the trial contact records of the problem history, and adds the step to the ledger,
-    /// by the trapezoidal rule: exact to second order whatever the order of the step.
+    /// Makes `states` and the trial contact records of the problem history, and adds the step to the flows, by
+    /// the trapezoidal rule: exact to second order whatever the order of the step.
     void accept(double time, std::size_t order, std::vector<BodyState>& states);
 
     System& system_;
     SteppingOptions options_;
     StepProblem problem_;
     Covered covered_;
+    SteppingMemory memory_;
     SteppingStatistics statistics_;
-    Vec3 momentum_residual_ = Vec3::Zero();  ///< [kg m/s]
-    double time_ = 0;
-    double last_step_ = 0;  ///< [s], the last accepted
+    Flows flows_;
 
   private:
-    Accumulated sums_;   ///< as of the last accepted step
-    Accumulated rates_;  ///< there
-    bool started_ = false;
-    double held_at_start_ = 0;  ///< energy [J]
-    double normal_last_ = 0;    ///< stored normal energy at the last accepted step [J]
-    double held_last_ = 0;      ///< at the last accepted step
+    void remember_contacts();
 };
 
 /// The integrator of the method that the options name. Throws std::invalid_argument for an explicit method
-/// without a step.
-std::unique_ptr<Integrator> make_integrator(System& system, ContactForces& forces,
-                                            const SteppingOptions& options);
+/// without a step. `workers` may share out the contacts of one evaluation; null: nobody does.
+std::unique_ptr<Integrator> make_integrator(System& system, const ContactForces& forces,
+                                            const SteppingOptions& options, Workers* workers = nullptr);
 
 }  // namespace scree

@@ -1,14 +1,22 @@
 #pragma once
 
 #include <scree/bdf/error_norm.hpp>
+#include <scree/bdf/statistics.hpp>
+#include <scree/dynamics/step_problem.hpp>
 
 namespace scree {
 
-struct NewtonStatistics {
-    std::size_t iterations = 0;
-    std::size_t jacobians = 0;
-    std::size_t factorizations = 0;
-};
+/// Share of the tolerance that a solved step's equations may be off: a friction force that lags must not add up
+/// to a creep.
+constexpr double solved_share = 1e-3;
+
+/// The largest over the dynamic bodies of the residual as the velocities that it leaves unexplained, in the
+/// units of ErrorScale::norm. It bounds the error of u, which the stiffness divides, and the error of the
+/// momenta, which take the forces as they are. Not a number when a residual is not.
+double defect_norm(const StepProblem& problem, std::span<const Body> bodies, double gravity);
+
+/// Whether a change of u moves the bodies by no more than the rounding of their positions.
+bool at_rounding(const StepProblem& problem, std::span<const Body> bodies, const Eigen::VectorXd& change);
 
 /// Solves the equations of one implicit step by Newton's method with a kept factorisation, a search along the
 /// direction for the zero of R·du when full steps do not converge, and continuation in the capped tangential
@@ -16,8 +24,8 @@ struct NewtonStatistics {
 class Newton {
   public:
     /// Advances u from its predicted value to the solution; the problem is left evaluated there. `tolerance`
-    /// is in the units of ErrorScale::norm. Returns false when it does not converge: the step must not be
-    /// accepted.
+    /// is in the units of ErrorScale::norm. Returns false, u being what it was, when it does not converge: the
+    /// step must not be accepted.
     bool solve(StepProblem& problem, std::span<const Body> bodies, double gravity, double tolerance,
                Eigen::VectorXd& u);
 
@@ -26,24 +34,24 @@ class Newton {
 
     /// Iterations that the last solve took.
     [[nodiscard]] std::size_t effort() const { return effort_; }
-    [[nodiscard]] const NewtonStatistics& statistics() const { return statistics_; }
+    /// Hands over the counts and starts them at zero.
+    NewtonStatistics take_statistics() { return std::exchange(statistics_, {}); }
 
   private:
     enum class Outcome { converged, failed };
 
     Outcome iterate(StepProblem& problem, std::span<const Body> bodies, double gravity, double tolerance,
-                    std::size_t most, Eigen::VectorXd& u);
+                    Eigen::VectorXd& u);
     bool refresh(StepProblem& problem, const Eigen::VectorXd& u);
-    bool stale(const StepProblem& problem) const;
+    [[nodiscard]] bool stale(const StepProblem& problem) const;
     double search(StepProblem& problem, const Eigen::VectorXd& u, const Eigen::VectorXd& direction);
-    static double defect_norm(const StepProblem& problem, std::span<const Body> bodies, double gravity);
 
     NewtonStatistics statistics_;
     std::size_t effort_ = 0;
     bool factorized_ = false;
     double factorized_beta_h_ = 0;
     std::size_t age_ = 0;  ///< solves since the factorisation
-    Eigen::VectorXd direction_, trial_;
+    Eigen::VectorXd predicted_, direction_, trial_;
 };
 
 }  // namespace scree

@@ -66,7 +66,4 @@ class PairSearch {
     std::vector<PartPair> pairs_;
 };
 
-/// A bound [m] on how far the points of a ball about the body's origin are apart in two poses.
-double largest_move(const Pose& from, const Pose& to, double radius);
-
 }  // namespace scree

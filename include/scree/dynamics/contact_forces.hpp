@@ -11,15 +11,25 @@
 namespace scree {
 
 /// Evaluates a batch of contacts at trial states. One virtual call a batch; within it the law is known by
-/// type.
+/// type. May be called from several threads at once.
 class ContactForces {
   public:
     virtual ~ContactForces() = default;
 
     /// Fills results[i] from contacts[i]; bodies are looked up by number. Changes nothing else.
     virtual void evaluate(std::span<const Contact> contacts, std::span<const TrialBody> bodies,
-                          const StepFormulas& formulas, Detail detail, std::span<ContactResult> results) = 0;
+                          const StepFormulas& formulas, Detail detail,
+                          std::span<ContactResult> results) const = 0;
 };
+
+/// Buffers of one contact's evaluation, one a thread; nothing in them outlives it.
+struct ContactWorkspace {
+    OverlapWorkspace overlap;
+    ContactGeometry geometry;
+    MotionRates rates;
+};
+/// That of the calling thread.
+ContactWorkspace& contact_workspace();
 
 /// Where the overlap is, and how the bodies move there. Returns false when they do not overlap.
 bool locate(const Contact& contact, const TrialBody& a, const TrialBody& b, Detail detail,
@@ -35,19 +45,24 @@ class ForcesOf final : public ContactForces {
     explicit ForcesOf(Law law) : law_(std::move(law)) {}
 
     void evaluate(std::span<const Contact> contacts, std::span<const TrialBody> bodies,
-                  const StepFormulas& formulas, Detail detail, std::span<ContactResult> results) override {
+                  const StepFormulas& formulas, Detail detail,
+                  std::span<ContactResult> results) const override {
+        ContactWorkspace& workspace = contact_workspace();
         for (std::size_t i = 0; i < contacts.size(); ++i) {
             const Contact& contact = contacts[i];
             evaluate_one(contact, bodies[static_cast<std::size_t>(contact.a.body)],
-                         bodies[static_cast<std::size_t>(contact.b.body)], formulas, detail, results[i]);
+                         bodies[static_cast<std::size_t>(contact.b.body)], formulas, detail, workspace,
+                         results[i]);
         }
     }
 
   private:
     void evaluate_one(const Contact& contact, const TrialBody& a, const TrialBody& b,
-                      const StepFormulas& formulas, Detail detail, ContactResult& result) {
+                      const StepFormulas& formulas, Detail detail, ContactWorkspace& workspace,
+                      ContactResult& result) const {
+        ContactGeometry& geometry = workspace.geometry;
         PairArms arms;
-        result.touching = locate(contact, a, b, detail, workspace_, geometry_, arms);
+        result.touching = locate(contact, a, b, detail, workspace.overlap, geometry, arms);
         result.law.state = ContactState::open;
         if (!result.touching) {
             return;
@@ -55,19 +70,16 @@ class ForcesOf final : public ContactForces {
         const RelativeMotion motion = relative_motion(a, b, arms);
         const MotionRates* rates = nullptr;
         if (detail == Detail::derivative) {
-            motion_rates(geometry_, motion, a, b, arms, formulas.beta_h, rates_);
-            rates = &rates_;
+            motion_rates(geometry, motion, a, b, arms, formulas.beta_h, workspace.rates);
+            rates = &workspace.rates;
         }
         const FrictionStep step{formulas.friction(contact.history.age), a.turns, b.turns,
                                 formulas.friction_cap};
-        law_({geometry_, motion, contact.pair, contact.history, step, rates}, result.law);
-        settle(geometry_, motion, a, arms, rates, result);
+        law_({geometry, motion, contact.pair, contact.history, step, rates}, result.law);
+        settle(geometry, motion, a, arms, rates, result);
     }
 
     Law law_;
-    OverlapWorkspace workspace_;
-    ContactGeometry geometry_;
-    MotionRates rates_;
 };
 
 }  // namespace scree

@@ -15,6 +15,12 @@ struct Accumulated {
     Accumulated& add(double factor, const Accumulated& other);
 };
 
+/// What has gone through a system over some time.
+struct Flows {
+    Accumulated energy;                  ///< [J]
+    Vec3 momentum_gain = Vec3::Zero();  ///< gained without an impulse from outside [kg m/s]
+};
+
 /// The rates of what is accumulated, at the problem's last evaluation [W].
 Accumulated accumulation_rates(const System& system, const StepProblem& problem);
 
@@ -42,6 +48,26 @@ struct EnergyLedger {
 /// start.
 EnergyLedger energy_ledger(const System& system, std::span<const ContactResult> results,
                            const Accumulated& sums, double start);
+
+/// Keeps the ledger of a system whose flows are handed in from time to time.
+class EnergyAccount {
+  public:
+    /// At the start, and after changes from outside, with what the contacts do now: what the bodies and contacts
+    /// hold more than when last settled counts as work from outside.
+    void open(const System& system, std::span<const ContactResult> results);
+    /// After steps: what has flowed in them, and what the contacts do now.
+    void settle(const System& system, std::span<const ContactResult> results, const Flows& flows);
+
+    [[nodiscard]] const EnergyLedger& ledger() const { return ledger_; }
+    [[nodiscard]] const Vec3& momentum_residual() const { return momentum_gain_; }
+
+  private:
+    Accumulated sums_;
+    EnergyLedger ledger_;  ///< when last opened or settled
+    Vec3 momentum_gain_ = Vec3::Zero();
+    double start_ = 0;  ///< what was held at first [J]
+    bool started_ = false;
+};
 
 /// Total momentum of the dynamic bodies [kg m/s].
 Vec3 total_momentum(const System& system);

@@ -11,6 +11,9 @@
 
 namespace scree {
 
+/// dL/dω [kg m²] of a body at a trial step, whose inertia tensor turns with it.
+Mat3 turning_inertia(const Body& body, const TrialBody& trial);
+
 /// The matrix of Newton's method, d(residual)/d(velocities), in 6×6 blocks (v, ω) per dynamic body, kept and
 /// factorised island by island: dense for a few bodies, sparse above.
 class Jacobian {

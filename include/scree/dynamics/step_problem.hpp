@@ -1,10 +1,11 @@
 #pragma once
 
-#include <memory>
+#include <utility>
 #include <vector>
 
 #include <scree/dynamics/contact_forces.hpp>
 #include <scree/dynamics/jacobian.hpp>
+#include <scree/dynamics/workers.hpp>
 
 namespace scree {
 
@@ -19,7 +20,9 @@ struct System {
 /// the new velocities u, six numbers (v, ω) a body; positions, orientations and friction follow from them.
 class StepProblem {
   public:
-    StepProblem(const System& system, ContactForces& forces) : system_(system), forces_(forces) {}
+    /// `workers` share out the contacts of one evaluation when there are many; null: nobody does.
+    StepProblem(const System& system, const ContactForces& forces, Workers* workers = nullptr)
+        : system_(system), forces_(forces), workers_(workers) {}
 
     /// The formulas of this step and what the past contributes, one start a body.
     void begin(const StepFormulas& formulas, std::vector<BodyStart>& starts);
@@ -40,7 +43,9 @@ class StepProblem {
     /// From the last evaluation, which must have been with derivatives. False: singular.
     bool factorize();
     /// x := J⁻¹ x with the last factorisation.
-    void solve(Eigen::VectorXd& x) const { jacobian_.solve(x); }
+    void solve(Eigen::VectorXd& x);
+    /// x := M⁻¹ x with the inertia at the last evaluation, the equations' derivative but for the forces' part.
+    void solve_inertia(Eigen::VectorXd& x) const;
 
     /// The bodies' states at the last evaluation. A body that nothing touches takes its momenta from the
     /// forces, so that they are kept to rounding; one in contact takes them from its velocities, because the
@@ -53,15 +58,28 @@ class StepProblem {
     [[nodiscard]] const Jacobian& jacobian() const { return jacobian_; }
     [[nodiscard]] const std::vector<Vec3>& forces() const { return force_; }    ///< [N], outside included
     [[nodiscard]] const std::vector<Vec3>& torques() const { return torque_; }  ///< [N m]
-    [[nodiscard]] std::size_t evaluations() const { return evaluations_; }
+    /// Whether a contact has a force on the body.
+    [[nodiscard]] bool touched(std::size_t body) const { return touched_[body]; }
+
+    /// Where the time goes and how often a contact was evaluated, since last taken.
+    struct Costs {
+        std::size_t evaluations = 0;  ///< of one contact
+        double contacts = 0;          ///< wall time [s] of evaluations without derivatives
+        double jacobian = 0;          ///< [s] of evaluations with derivatives and of the assembly
+        double solve = 0;             ///< [s] of factorisations and their use
+    };
+    [[nodiscard]] const Costs& costs() const { return costs_; }
+    Costs take_costs() { return std::exchange(costs_, {}); }
 
   private:
     void place_bodies(const Eigen::VectorXd& u);
+    void evaluate_contacts();
     void sum_forces();
     void fill_residual();
 
     const System& system_;
-    ContactForces& forces_;
+    const ContactForces& forces_;
+    Workers* workers_;
     StepFormulas formulas_;
     std::vector<BodyStart> starts_;
     std::vector<TrialBody> trial_;
@@ -71,7 +89,7 @@ class StepProblem {
     std::vector<bool> touched_;  ///< by a contact with a force
     Eigen::VectorXd residual_;
     Jacobian jacobian_;
-    std::size_t evaluations_ = 0;
+    Costs costs_;
     Detail detail_ = Detail::force;
 };
 

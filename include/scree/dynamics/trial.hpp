@@ -30,6 +30,7 @@ struct BodyStart {
 /// The linear formulas of one trial step.
 struct StepFormulas {
     std::size_t order = 1;
+    double time = 0;                                                      ///< [s], at the end of the step
     double step = 0;                                                      ///< [s]
     double beta_h = 0;                                                    ///< [s], of the bodies' formula
     std::array<std::array<double, highest_order>, highest_order> past{};  ///< [order − 1][j]

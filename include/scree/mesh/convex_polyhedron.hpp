@@ -27,6 +27,7 @@ struct ConvexPolyhedron {
     std::vector<int> face_begin{0};  ///< faces + 1 entries
     std::vector<HalfEdge> half_edges;
     double radius = 0;  ///< [m], of the sphere about the origin that holds all vertices
+    double width = 0;   ///< [m], the least extent along the normal of a face
 
     [[nodiscard]] int face_count() const { return static_cast<int>(planes.size()); }
 };

@@ -20,4 +20,10 @@ struct Pose {
     }
 };
 
+/// A bound [m] on how far the points of a ball about the inner origin are apart in two poses.
+inline double largest_move(const Pose& from, const Pose& to, double radius) {
+    const double half_turn = (to.orientation * from.orientation.conjugate()).vec().norm();  // its sine
+    return (to.position - from.position).norm() + (half_turn > 0 ? 2 * radius * half_turn : 0);
+}
+
 }  // namespace scree

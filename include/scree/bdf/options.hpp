@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstddef>
+
+#include <scree/bdf/error_norm.hpp>
+
+namespace scree {
+
+enum class Method { bdf, symplectic_euler, velocity_verlet };
+
+/// How the equations of an implicit step are solved.
+enum class Solver {
+    automatic,    ///< by iteration where an estimate of the stiffness says that it converges, else by Newton
+    newton,
+    fixed_point,  ///< the functional corrector alone; a step that it cannot solve is made smaller
+};
+
+struct SteppingOptions {
+    Method method = Method::bdf;
+    std::size_t max_order = 2;  ///< of BDF, 1 to 5; only 1 and 2 are A-stable
+    double fixed_step = 0;      ///< [s]; 0: chosen by the error test, which only BDF has
+    Solver solver = Solver::automatic;
+    bool sleep = false;  ///< groups at rest are stepped no more until something reaches them
+    Tolerances tolerances;
+};
+
+}  // namespace scree

@@ -1,0 +1,268 @@
+#include <scree/bdf/groups.hpp>
+
+#include <algorithm>
+#include <numeric>
+
+namespace scree {
+
+namespace {
+
+constexpr std::size_t large = 256;  // contacts, from which a group's own contacts are shared out
+
+std::size_t at(int i) {
+    return static_cast<std::size_t>(i);
+}
+
+}  // namespace
+
+void Groups::set(const ContactForces& forces, const SteppingOptions& options, Workers* workers) {
+    forces_ = &forces;
+    options_ = options;
+    workers_ = workers;
+    groups_.clear();
+    group_of_.clear();
+}
+
+void Groups::renumber(std::span<const int> new_numbers) {
+    // Groups are known by the numbers of their bodies: those whose numbers stay are kept, the others start afresh.
+    const auto stays = [&](const std::unique_ptr<Group>& group) {
+        return std::all_of(group->bodies().begin(), group->bodies().end(), [&](int body) {
+            return at(body) < new_numbers.size() && new_numbers[at(body)] == body;
+        });
+    };
+    std::erase_if(groups_, [&](const auto& group) { return !stays(group); });
+    group_of_.assign(whole_.bodies.size(), -1);
+    for (std::size_t g = 0; g < groups_.size(); ++g) {
+        for (const int body : groups_[g]->bodies()) {
+            if (whole_.bodies[at(body)].dynamic()) {
+                group_of_[at(body)] = static_cast<int>(g);
+            }
+        }
+    }
+}
+
+void Groups::forget() {
+    for (const auto& group : groups_) {
+        group->integrator().contacts_renewed();
+    }
+}
+
+void Groups::deal(double time) {
+    met_ = time;
+    group_of_.resize(whole_.bodies.size(), -1);
+    results_.resize(whole_.contacts.size());
+    find_parts();
+    groups_.swap(previous_);
+    groups_.clear();
+    for (std::size_t part = 0; part + 1 < part_begin_.size(); ++part) {
+        collect(part);
+        groups_.push_back(group_for(part, time));
+    }
+    previous_.clear();
+    for (std::size_t g = 0; g < groups_.size(); ++g) {
+        for (const int body : groups_[g]->bodies()) {
+            group_of_[at(body)] = whole_.bodies[at(body)].dynamic() ? static_cast<int>(g) : -1;
+        }
+    }
+    for (const int body : restarts_) {
+        for (const auto& group : groups_) {
+            if (group->place_of(body) >= 0) {
+                group->restart();
+            }
+        }
+    }
+    restarts_.clear();
+    for (std::size_t part = 0; part < groups_.size(); ++part) {
+        const std::size_t begin = contact_begin_[part];
+        groups_[part]->load(
+            whole_, std::span(contact_members_).subspan(begin, contact_begin_[part + 1] - begin), time);
+    }
+}
+
+int Groups::root(int body) {
+    while (parent_[at(body)] != body) {
+        parent_[at(body)] = parent_[at(parent_[at(body)])];
+        body = parent_[at(body)];
+    }
+    return body;
+}
+
+// Dynamic bodies that contacts join are a part; an explicit method has one step for all, so that they are one.
+void Groups::find_parts() {
+    const std::size_t count = whole_.bodies.size();
+    parent_.resize(count);
+    std::iota(parent_.begin(), parent_.end(), 0);
+    const auto join = [&](int a, int b) {
+        const int root_a = root(a);
+        const int root_b = root(b);
+        parent_[at(std::max(root_a, root_b))] = std::min(root_a, root_b);
+    };
+    for (const Contact& contact : whole_.contacts) {
+        if (whole_.bodies[at(contact.a.body)].dynamic() && whole_.bodies[at(contact.b.body)].dynamic()) {
+            join(contact.a.body, contact.b.body);
+        }
+    }
+    int first = -1;
+    part_of_.assign(count, -1);
+    std::size_t parts = 0;
+    for (std::size_t b = 0; b < count; ++b) {
+        if (!whole_.bodies[b].dynamic()) {
+            continue;
+        }
+        if (options_.fixed_step > 0) {
+            first = first < 0 ? static_cast<int>(b) : first;
+            join(first, static_cast<int>(b));
+        }
+        const int lowest = root(static_cast<int>(b));  // bodies join lower ones only: met before
+        part_of_[b] = at(lowest) == b ? static_cast<int>(parts++) : part_of_[at(lowest)];
+    }
+    sort_parts(parts);
+}
+
+// By counting: where each part's bodies and contacts begin, then who they are, in ascending order.
+void Groups::sort_parts(std::size_t parts) {
+    part_begin_.assign(parts + 1, 0);
+    contact_begin_.assign(parts + 1, 0);
+    const auto part_of_contact = [&](const Contact& contact) {
+        const int part = part_of_[at(contact.a.body)];
+        return at(part >= 0 ? part : part_of_[at(contact.b.body)]);
+    };
+    std::size_t dynamic = 0;
+    for (const int part : part_of_) {
+        if (part >= 0) {
+            ++part_begin_[at(part) + 1];
+            ++dynamic;
+        }
+    }
+    for (const Contact& contact : whole_.contacts) {
+        ++contact_begin_[part_of_contact(contact) + 1];
+    }
+    std::partial_sum(part_begin_.begin(), part_begin_.end(), part_begin_.begin());
+    std::partial_sum(contact_begin_.begin(), contact_begin_.end(), contact_begin_.begin());
+    members_.resize(dynamic);
+    contact_members_.resize(whole_.contacts.size());
+    for (std::size_t b = 0; b < part_of_.size(); ++b) {
+        if (part_of_[b] >= 0) {
+            members_[part_begin_[at(part_of_[b])]++] = static_cast<int>(b);
+        }
+    }
+    for (std::size_t i = 0; i < whole_.contacts.size(); ++i) {
+        contact_members_[contact_begin_[part_of_contact(whole_.contacts[i])]++] = i;
+    }
+    std::rotate(part_begin_.begin(), part_begin_.end() - 1, part_begin_.end());
+    std::rotate(contact_begin_.begin(), contact_begin_.end() - 1, contact_begin_.end());
+    part_begin_.front() = contact_begin_.front() = 0;
+}
+
+// Into bodies_: the part's dynamic bodies and the others that they may touch.
+void Groups::collect(std::size_t part) {
+    bodies_.assign(members_.begin() + static_cast<std::ptrdiff_t>(part_begin_[part]),
+                   members_.begin() + static_cast<std::ptrdiff_t>(part_begin_[part + 1]));
+    for (std::size_t i = contact_begin_[part]; i < contact_begin_[part + 1]; ++i) {
+        const Contact& contact = whole_.contacts[contact_members_[i]];
+        for (const int body : {contact.a.body, contact.b.body}) {
+            if (!whole_.bodies[at(body)].dynamic()) {
+                bodies_.push_back(body);
+            }
+        }
+    }
+    std::sort(bodies_.begin(), bodies_.end());
+    bodies_.erase(std::unique(bodies_.begin(), bodies_.end()), bodies_.end());
+}
+
+// The group that these bodies were before, or a new one that takes over from those in which they were.
+std::unique_ptr<Group> Groups::group_for(std::size_t part, double time) {
+    const int before = group_of_[at(members_[part_begin_[part]])];
+    if (before >= 0 && previous_[at(before)] && previous_[at(before)]->bodies() == bodies_) {
+        return std::move(previous_[at(before)]);
+    }
+    auto group = std::make_unique<Group>(bodies_, *forces_, options_, workers_);
+    group->begin_with(merged_memory(parents_of(bodies_), bodies_, whole_, time));
+    return group;
+}
+
+std::vector<const Group*> Groups::parents_of(std::span<const int> bodies) const {
+    std::vector<const Group*> parents;
+    for (const int body : bodies) {
+        if (!whole_.bodies[at(body)].dynamic()) {
+            continue;
+        }
+        const int number = group_of_[at(body)];
+        if (number < 0) {
+            return {};  // a body without a past
+        }
+        const Group* parent = previous_[at(number)].get();
+        if (std::find(parents.begin(), parents.end(), parent) == parents.end()) {
+            parents.push_back(parent);
+        }
+    }
+    return parents;
+}
+
+// Large groups one after another, the workers sharing out their contacts; small ones side by side.
+StepOutcome Groups::advance(double end, std::span<const BodyCover> covers, std::vector<double>& demand) {
+    demand.assign(whole_.bodies.size(), 0);
+    std::vector<StepOutcome> outcomes(groups_.size());
+    std::vector<std::size_t> small;
+    for (std::size_t g = 0; g < groups_.size(); ++g) {
+        if (groups_[g]->system().contacts.size() >= large) {
+            outcomes[g] = groups_[g]->advance(end, covers, demand);
+        } else {
+            small.push_back(g);
+        }
+    }
+    const auto job = [&](std::size_t i) {
+        outcomes[small[i]] = groups_[small[i]]->advance(end, covers, demand);
+    };
+    if (workers_ != nullptr) {
+        workers_->run(small.size(), job);
+    } else {
+        for (std::size_t i = 0; i < small.size(); ++i) {
+            job(i);
+        }
+    }
+    StepOutcome worst = StepOutcome::accepted;
+    for (const StepOutcome outcome : outcomes) {
+        worst = std::max(worst, outcome == StepOutcome::failed ? StepOutcome::left_cover : outcome);
+    }
+    const bool failed = std::find(outcomes.begin(), outcomes.end(), StepOutcome::failed) != outcomes.end();
+    return failed ? StepOutcome::failed : worst;
+}
+
+void Groups::commit(double end) {
+    for (const auto& group : groups_) {
+        group->commit(whole_, results_);
+        const Flows flows = group->integrator().take_flows();
+        flows_.energy.add(1, flows.energy);
+        flows_.momentum_gain += flows.momentum_gain;
+    }
+    count();
+    move_prescribed(end - met_);
+    met_ = end;
+}
+
+void Groups::count() {
+    const SteppingStatistics* leading = nullptr;
+    std::vector<SteppingStatistics> each;
+    each.reserve(groups_.size());
+    for (const auto& group : groups_) {
+        each.push_back(group->integrator().take_statistics());
+        counts_.all.add(each.back());
+        if (leading == nullptr || each.back().accepted > leading->accepted) {
+            leading = &each.back();
+        }
+    }
+    if (leading != nullptr) {
+        counts_.leading.add(*leading);
+    }
+}
+
+void Groups::move_prescribed(double step) {
+    for (std::size_t b = 0; b < whole_.bodies.size(); ++b) {
+        if (!whole_.bodies[b].dynamic()) {
+            advance_prescribed(step, whole_.states[b]);
+        }
+    }
+}
+
+}  // namespace scree

@@ -1,0 +1,97 @@
+#include <scree/overlap/separation.hpp>
+
+#include <algorithm>
+#include <limits>
+
+namespace scree {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+double support_of(const ConvexPolyhedron& solid, const Pose& pose, const Vec3& direction) {
+    const Vec3 inner = pose.orientation.conjugate() * direction;
+    double highest = -infinity;
+    for (const Vec3& vertex : solid.vertices) {
+        highest = std::max(highest, inner.dot(vertex));
+    }
+    return highest + direction.dot(pose.position);
+}
+
+double support_of(const HalfSpace& half_space, const Pose& pose, const Vec3& direction) {
+    constexpr double parallel = 1 - 1e-12;
+    const bool along = direction.dot(pose.orientation * half_space.normal) > parallel;
+    return along ? half_space.offset + direction.dot(pose.position) : infinity;
+}
+
+double support_of(const Sphere& sphere, const Pose& pose, const Vec3& direction) {
+    return sphere.radius + direction.dot(pose.position);
+}
+
+double width_of(const ConvexPolyhedron& solid) {
+    return solid.width;
+}
+double width_of(const HalfSpace& /*half_space*/) {
+    return infinity;
+}
+double width_of(const Sphere& sphere) {
+    return 2 * sphere.radius;
+}
+
+// The normal of the face that `point` is farthest above; a shape without faces has none.
+bool facing(const Shape& shape, const Pose& pose, const Vec3& point, Vec3& axis) {
+    if (const auto* half_space = std::get_if<HalfSpace>(&shape)) {
+        axis = pose.orientation * half_space->normal;
+        return true;
+    }
+    const auto* solid = std::get_if<ConvexPolyhedron>(&shape);
+    if (solid == nullptr) {
+        return false;
+    }
+    const Vec3 inner = pose.inverse() * point;
+    double highest = -infinity;
+    const Plane* best = nullptr;
+    for (const Plane& plane : solid->planes) {
+        const double height = plane.normal.dot(inner) - plane.offset;
+        if (height > highest) {
+            highest = height;
+            best = &plane;
+        }
+    }
+    axis = pose.orientation * best->normal;
+    return true;
+}
+
+}  // namespace
+
+double support(const Shape& shape, const Pose& pose, const Vec3& direction) {
+    return std::visit([&](const auto& solid) { return support_of(solid, pose, direction); }, shape);
+}
+
+double width(const Shape& shape) {
+    return std::visit([](const auto& solid) { return width_of(solid); }, shape);
+}
+
+Separation separation(const Shape& a, const Pose& pose_a, const Shape& b, const Pose& pose_b) {
+    Separation best{Vec3::UnitZ(), -infinity};
+    const auto consider = [&](const Vec3& axis) {
+        const double gap = -support(a, pose_a, -axis) - support(b, pose_b, axis);
+        if (gap > best.gap) {
+            best = {axis, gap};
+        }
+    };
+    Vec3 axis;
+    if (facing(b, pose_b, pose_a.position, axis)) {
+        consider(axis);
+    }
+    if (facing(a, pose_a, pose_b.position, axis)) {
+        consider(-axis);
+    }
+    const Vec3 centres = pose_a.position - pose_b.position;
+    if (const double distance = centres.norm(); distance > 0) {
+        consider(centres / distance);
+    }
+    return best;
+}
+
+}  // namespace scree
