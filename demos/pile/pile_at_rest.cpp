@@ -56,7 +56,7 @@ double outside(const scree::Simulation& simulation) {
         }
         const scree::Pose pose = simulation.body_motion(w).pose;
         for (std::size_t b = 0; b < simulation.bodies().size(); ++b) {
-            if (simulation.bodies()[b].fixed) {
+            if (!simulation.bodies()[b].dynamic()) {
                 continue;
             }
             const scree::Vec3 inside = pose.inverse() * simulation.body_motion(b).pose.position;

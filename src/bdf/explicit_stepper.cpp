@@ -29,7 +29,7 @@ bool ExplicitStepper::step(double end) {
     states_ = system_.states;
     kick(verlet ? 0.5 * step : step, states_);
     for (int renewals = 0;; ++renewals) {
-        drift(step, states_);
+        drift(time, states_);
         if (!covered_ || covered_(problem_.trial())) {
             break;
         }
@@ -44,6 +44,10 @@ bool ExplicitStepper::step(double end) {
     for (std::size_t b = 0; b < states_.size(); ++b) {
         states_[b].position = problem_.trial()[b].pose.position;
         states_[b].orientation = problem_.trial()[b].pose.orientation;
+        if (!system_.bodies[b].dynamic()) {
+            states_[b].momentum = problem_.trial()[b].velocity;
+            states_[b].angular_momentum = problem_.trial()[b].spin;
+        }
     }
     if (!finite(states_)) {
         return false;
@@ -62,8 +66,10 @@ void ExplicitStepper::kick(double duration, std::vector<BodyState>& states) cons
     }
 }
 
-void ExplicitStepper::drift(double step, const std::vector<BodyState>& states) {
+void ExplicitStepper::drift(double time, const std::vector<BodyState>& states) {
+    const double step = time - time_;
     StepFormulas formulas;
+    formulas.time = time;
     formulas.step = step;
     formulas.beta_h = step;
     formulas.past[0][0] = 1;

@@ -13,6 +13,7 @@ EnergyLedger Integrator::energy() const {
 
 void Integrator::evaluate_present(Eigen::VectorXd& u) {
     StepFormulas formulas;
+    formulas.time = time_;
     formulas.past[0][0] = 1;
     std::vector<BodyStart> starts(system_.bodies.size());
     u.resize(static_cast<Eigen::Index>(6 * system_.bodies.size()));

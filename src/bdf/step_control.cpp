@@ -16,6 +16,7 @@ constexpr double least_gain = 1.5;
 constexpr std::array<double, highest_order> most_growth{10, 2, 1.4, 1.4,
                                                         1.4};  // keeps the formula zero-stable
 constexpr double most_shrink = 0.2;
+constexpr double path_share = 0.5;  // of the time scale of a prescribed path: a dozen steps a period
 constexpr double newton_shrink = 0.25;
 constexpr std::size_t brisk = 6;  // iterations a step, above which it does not grow
 constexpr std::size_t hard = 10;  // above which it shrinks, for the sake of the work per second
@@ -36,6 +37,8 @@ double Stepper::choose_step(double end) const {
     double step = step_;
     if (options_.fixed_step > 0 && failures_ == 0) {
         step = options_.fixed_step;
+    } else {
+        step = std::min(step, path_share * path_time_scale(system_));
     }
     if (!(step < left)) {
         return left;

@@ -96,6 +96,7 @@ void Stepper::predict(double time) {
     order_ = std::min(order_, history_.count());
     StepFormulas formulas;
     formulas.order = order_;
+    formulas.time = time;
     formulas.step = time - time_;
     for (std::size_t q = 1; q <= order_; ++q) {
         formula_ = bdf_formula(time, history_.times(), q);

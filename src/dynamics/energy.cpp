@@ -4,9 +4,12 @@ namespace scree {
 
 namespace {
 
-// Work that a prescribed body does on what it touches, by the force and moment that it gets in return.
-void add_prescribed(const TrialBody& body, const Vec3& force, const Vec3& moment, Accumulated& rates) {
-    rates.applied -= force.dot(body.velocity) + moment.dot(body.spin);
+// Work that a prescribed body does on what it touches, by the force and moment that it gets in return; its
+// surface has a velocity of its own in the contact plane.
+void add_prescribed(const TrialBody& body, const Vec3& force, const Vec3& moment, const Vec3& normal,
+                    Accumulated& rates) {
+    const Vec3 surface = body.surface_velocity - body.surface_velocity.dot(normal) * normal;
+    rates.applied -= force.dot(body.velocity + surface) + moment.dot(body.spin);
 }
 
 }  // namespace
@@ -46,10 +49,10 @@ Accumulated accumulation_rates(const System& system, const StepProblem& problem)
         const auto a = static_cast<std::size_t>(system.contacts[i].a.body);
         const auto b = static_cast<std::size_t>(system.contacts[i].b.body);
         if (!system.bodies[a].dynamic()) {
-            add_prescribed(problem.trial()[a], law.force, results[i].moment_a, rates);
+            add_prescribed(problem.trial()[a], law.force, results[i].moment_a, results[i].normal, rates);
         }
         if (!system.bodies[b].dynamic()) {
-            add_prescribed(problem.trial()[b], -law.force, results[i].moment_b, rates);
+            add_prescribed(problem.trial()[b], -law.force, results[i].moment_b, results[i].normal, rates);
         }
     }
     return rates;

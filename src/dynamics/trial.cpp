@@ -45,4 +45,15 @@ void place_prescribed(const BodyState& last, const BodyStart& start, const StepF
     set_turns(start, formulas, body);
 }
 
+void place_on_path(const PrescribedPath& path, const BodyStart& start, const StepFormulas& formulas,
+                   TrialBody& body) {
+    const PathPoint point = path.at(formulas.time);
+    body.pose = point.pose;
+    body.velocity = point.velocity;
+    body.spin = point.spin;
+    body.surface_velocity = point.surface_velocity;
+    body.turn_rate = formulas.beta_h * Mat3::Identity();
+    set_turns(start, formulas, body);
+}
+
 }  // namespace scree

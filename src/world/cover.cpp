@@ -15,7 +15,7 @@ constexpr double steps_expected = 1.5;  // what the next step may be, over the l
 constexpr double generosity = 2;        // over what a body that left its region asked for
 constexpr double rounding = 1e-6;       // of the motion
 
-// Bound on how far a body's points come in a time [s], contacts left aside.
+// Bound on how far the points of a body that follows no path come in a time [s], contacts left aside.
 class Motions {
   public:
     Motions(const Body& body, const BodyState& state, double radius) {
@@ -32,19 +32,29 @@ class Motions {
     double acceleration_ = 0;
 };
 
+// How far a body is expected to come [m]: of one that moves as prescribed, all that it will until the tick's
+// end.
+double expected_motion(const Body& body, const BodyState& state, double radius, double now, double left,
+                       double step) {
+    if (body.path != nullptr) {
+        return body.path->reach(now, now + left, radius);
+    }
+    const Motions motion(body, state, radius);
+    const double fast = body.dynamic() ? motion(steps_covered * step) : motion(left);
+    return std::min(motion(left), std::max(modest_reach * body.radius, fast));
+}
+
 }  // namespace
 
-void Cover::lay(const System& system, std::span<const WorldBody> bodies, double left, double step) {
+void Cover::lay(const System& system, std::span<const WorldBody> bodies, double now, double left,
+                double step) {
     demand_.resize(bodies.size(), 0);
     searched_.clear();
     for (std::size_t b = 0; b < bodies.size(); ++b) {
         const Body& body = system.bodies[b];
         const BodyState& state = system.states[b];
-        const Motions motion(body, state, bodies[b].shape.radius);
-        const double size = body.radius;  // 0: moves as prescribed, so that its motion is known
-        const double fast = body.dynamic() ? motion(steps_covered * step) : motion(left);
-        const double expected = std::min(motion(left), std::max(modest_reach * size, fast));
-        const double reach = std::max(least_reach * size + (1 + rounding) * expected, demand_[b]);
+        const double expected = expected_motion(body, state, bodies[b].shape.radius, now, left, step);
+        const double reach = std::max(least_reach * body.radius + (1 + rounding) * expected, demand_[b]);
         searched_.push_back(
             {bodies[b].object, &bodies[b].shape, {state.position, state.orientation}, reach, body.dynamic()});
         demand_[b] = 0;
@@ -53,6 +63,9 @@ void Cover::lay(const System& system, std::span<const WorldBody> bodies, double 
 
 bool Cover::lasts(const System& system, double left, double step) const {
     for (std::size_t b = 0; b < searched_.size(); ++b) {
+        if (system.bodies[b].path != nullptr) {
+            continue;  // the cover was laid for all of its tick
+        }
         const SearchBody& laid = searched_[b];
         const BodyState& state = system.states[b];
         const double radius = laid.shape->radius;

@@ -13,9 +13,9 @@ namespace scree {
 /// The region about each body within which the candidate pairs are complete.
 class Cover {
   public:
-    /// Lays it about the present poses: for the motion in the `left` seconds to the tick's end, but for a
-    /// fast body only for a few steps of `step` [s].
-    void lay(const System& system, std::span<const WorldBody> bodies, double left, double step);
+    /// Lays it about the present poses: for the motion in the `left` seconds from `now` [s] to the tick's
+    /// end, but for a fast body that forces move only for a few steps of `step` [s].
+    void lay(const System& system, std::span<const WorldBody> bodies, double now, double left, double step);
 
     /// What the pair search is to use.
     [[nodiscard]] std::span<const SearchBody> bodies() const { return searched_; }

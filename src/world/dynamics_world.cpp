@@ -31,6 +31,14 @@ void DynamicsWorld::set_mixing(Mixing mixing) {
     implementation_->constants_changed();
 }
 
+void DynamicsWorld::set_path(const btRigidBody& body, std::shared_ptr<const PrescribedPath> path) {
+    const int number = body_number(body);
+    if (number < 0) {
+        throw std::invalid_argument("a body that is not in this world has no path here");
+    }
+    implementation_->bodies().prescribe(number, std::move(path));
+}
+
 void DynamicsWorld::set_forces(std::unique_ptr<ContactForces> forces) {
     implementation_->law().set(std::move(forces));
 }

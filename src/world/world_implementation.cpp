@@ -45,7 +45,7 @@ void WorldImplementation::read_bodies(double tick) {
         restart_ = constants_changed_ = true;
     }
     call_left_ = std::max(call_left_, tick);
-    const Changes changes = bodies_.read(tick, call_left_);
+    const Changes changes = bodies_.read(clock_.now(), tick, call_left_);
     restart_ = restart_ || changes.states;
     constants_changed_ = constants_changed_ || changes.constants;
 }
@@ -69,7 +69,7 @@ void WorldImplementation::prepare(double gravity) {
 void WorldImplementation::find_pairs(btCollisionWorld& world, double end) {
     const Stopwatch watch(report_.times.detection);
     const double now = restart_ ? clock_.now() : integrator_->time();
-    cover_.lay(system_, bodies_.all(), end - now, integrator_->last_step());
+    cover_.lay(system_, bodies_.all(), now, end - now, integrator_->last_step());
     const bool renewed = list_.renew(search_.find(world, cover_.bodies()),
                                      [this](const PartPair& pair) { return make_contact(pair); });
     if (renewed) {

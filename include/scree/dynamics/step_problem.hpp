@@ -15,6 +15,9 @@ struct System {
     std::vector<Contact> contacts;  ///< sorted by body, then by part
 };
 
+/// The least time scale [s] of the paths that the system's contacts may meet; infinite without any.
+double path_time_scale(const System& system);
+
 /// The nonlinear equations of one implicit step, p(v) − p_start − βh F = 0 and L(ω) − L_start − βh T = 0, in
 /// the new velocities u, six numbers (v, ω) a body; positions, orientations and friction follow from them.
 class StepProblem {

@@ -46,6 +46,11 @@ class DynamicsWorld : public btDiscreteDynamicsWorld {
         std::function<PairMaterial(const btRigidBody&, const Material&, const btRigidBody&, const Material&)>;
     void set_mixing(Mixing mixing);
 
+    /// From the next tick on a body moves along a path, whatever forces and Bullet say; its pose and
+    /// velocities are handed to Bullet at the end of each tick. The path's time is step_report().time. Null:
+    /// as Bullet has it again. Throws std::invalid_argument for a body that is not in this world.
+    void set_path(const btRigidBody& body, std::shared_ptr<const PrescribedPath> path);
+
     /// Replaces the contact law by any type that models scree::ContactLaw.
     template <ContactLaw Law>
     void set_contact_law(Law law) {
