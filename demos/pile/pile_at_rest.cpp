@@ -56,7 +56,7 @@ double outside(const scree::Simulation& simulation) {
         }
         const scree::Pose pose = simulation.body_motion(w).pose;
         for (std::size_t b = 0; b < simulation.bodies().size(); ++b) {
-            if (simulation.bodies()[b].fixed) {
+            if (!simulation.bodies()[b].dynamic()) {
                 continue;
             }
             const scree::Vec3 inside = pose.inverse() * simulation.body_motion(b).pose.position;
@@ -86,12 +86,12 @@ int main(int argc, char** argv) try {
         const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         std::printf("%8.2f %8zu %10zu %12.2f %14.2e %12.1f\n", simulation.time(), report.steps.accepted,
                     report.contacts,
-                    static_cast<double>(report.newton.iterations - iterations) /
+                    static_cast<double>(report.steps.newton.iterations - iterations) /
                         static_cast<double>(std::max<std::size_t>(1, report.steps.accepted - steps)),
                     fastest(simulation), wall);
         std::fflush(stdout);
         steps = report.steps.accepted;
-        iterations = report.newton.iterations;
+        iterations = report.steps.newton.iterations;
     }
     const scree::StepReport& report = simulation.world().step_report();
     const double speed = fastest(simulation);

@@ -9,9 +9,9 @@ namespace scree {
 namespace {
 
 constexpr double softest = 0.04;             // stiffness number, hω of 0.2, up to which Newton is not needed
-constexpr std::size_t most_iterations = 12; // of the functional corrector
-constexpr double least_gain = 0.7;          // ratio of successive defects, above which it does not converge
-constexpr std::size_t steps_of_newton = 20; // after the functional corrector has failed
+constexpr std::size_t most_iterations = 12;  // of the functional corrector
+constexpr double least_gain = 0.7;           // ratio of successive defects, above which it does not converge
+constexpr std::size_t steps_of_newton = 20;  // after the functional corrector has failed
 
 }  // namespace
 
@@ -38,7 +38,8 @@ double Stiffness::number(double beta_h) const {
 }
 
 bool Corrector::solve(StepProblem& problem, const System& system, double tolerance,
-                      const Stiffness& stiffness, std::size_t& patience, Eigen::VectorXd& u) {
+                      const Stiffness& stiffness, Persistence persistence, std::size_t& patience,
+                      Eigen::VectorXd& u) {
     effort_ = 0;
     const bool free = system.contacts.empty();
     if (free || (patience == 0 && soft(problem.formulas().beta_h, stiffness))) {
@@ -52,7 +53,7 @@ bool Corrector::solve(StepProblem& problem, const System& system, double toleran
         patience = steps_of_newton;
         u = predicted_;
     }
-    const bool solved = newton_.solve(problem, system.bodies, gravity_, tolerance, u);
+    const bool solved = newton_.solve(problem, system.bodies, gravity_, tolerance, persistence, u);
     effort_ = newton_.effort();
     patience -= patience > 0 ? 1 : 0;
     return solved;

@@ -19,7 +19,10 @@ double Tolerances::a_step(std::size_t order) const {
 }
 
 ErrorScale::ErrorScale(std::span<const Body> bodies, std::span<const TrialBody> trial, double gravity)
-    : bodies_(bodies), trial_(trial), gravity_(gravity), fastest_(std::numeric_limits<double>::min()) {
+    : bodies_(bodies),
+      trial_(trial),
+      gravity_(gravity),
+      fastest_(std::sqrt(std::numeric_limits<double>::min())) {
     for (std::size_t b = 0; gravity == 0 && b < bodies.size(); ++b) {
         const double rim = trial[b].spin.norm() * bodies[b].radius;
         fastest_ = std::max({fastest_, trial[b].velocity.norm(), bodies[b].dynamic() ? rim : 0});

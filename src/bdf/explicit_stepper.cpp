@@ -10,6 +10,7 @@ void ExplicitStepper::restart(double time) {
         contact.history.age = std::min<std::size_t>(contact.history.age, 1);
     }
     evaluate_present(u_);
+    remember_energies();
 }
 
 void ExplicitStepper::resume(const SteppingMemory& memory) {
@@ -41,6 +42,10 @@ StepOutcome ExplicitStepper::step(double end) {
     for (std::size_t b = 0; b < states_.size(); ++b) {
         states_[b].position = problem_.trial()[b].pose.position;
         states_[b].orientation = problem_.trial()[b].pose.orientation;
+        if (!system_.bodies[b].dynamic()) {
+            states_[b].momentum = problem_.trial()[b].velocity;
+            states_[b].angular_momentum = problem_.trial()[b].spin;
+        }
     }
     if (!finite(states_)) {
         return StepOutcome::failed;

@@ -8,9 +8,9 @@ namespace scree {
 
 namespace {
 
-constexpr double generosity = 2;      // over what a body that left its cover asked for
-constexpr double calm_speed = 1e-3;   // of the tolerance, in units of √(gℓ)
-constexpr double calm_force = 1e-3;   // of the weight, that may be out of balance
+constexpr double generosity = 2;     // over what a body that left its cover asked for
+constexpr double calm_speed = 1e-3;  // of the tolerance, in units of √(gℓ)
+constexpr double calm_force = 1e-3;  // of the weight, that may be out of balance
 constexpr std::size_t calm_meetings = 3;
 
 std::size_t at(int i) {
@@ -48,7 +48,14 @@ int Group::place_of(int body) const {
     return found != bodies_.end() && *found == body ? static_cast<int>(found - bodies_.begin()) : -1;
 }
 
-void Group::load(const System& whole, std::span<const std::size_t> contacts, double time) {
+bool Group::renumber(std::span<const int> new_numbers) {
+    for (int& body : bodies_) {
+        body = new_numbers[at(body)];
+    }
+    return bodies_.empty() || *std::min_element(bodies_.begin(), bodies_.end()) >= 0;
+}
+
+void Group::load(System& whole, std::span<const std::size_t> contacts, double time) {
     const bool same = same_contacts(whole, contacts);
     if (arrived_ && same && !restart_) {
         contacts_.assign(contacts.begin(), contacts.end());
@@ -66,6 +73,7 @@ void Group::load(const System& whole, std::span<const std::size_t> contacts, dou
         integrator_->restart(time);
         restart_ = false;
         start_ = integrator_->memory();
+        hand_back(whole);
         return;
     }
     if (influenced) {
@@ -142,6 +150,7 @@ StepOutcome Group::advance(double end, std::span<const BodyCover> covers, std::s
     demand_ = demand;
     while (integrator_->time() < end) {
         if (const StepOutcome outcome = integrator_->step(end); outcome != StepOutcome::accepted) {
+            failed_ = outcome == StepOutcome::failed;
             return outcome;
         }
     }
@@ -169,19 +178,25 @@ bool Group::covered(std::span<const TrialBody> trial) {
     return all;
 }
 
+void Group::hand_back(System& whole) const {
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+        whole.contacts[contacts_[i]].history = system_.contacts[i].history;
+    }
+}
+
 void Group::commit(System& whole, std::vector<ContactResult>& results) {
     arrived_ = false;
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+        results[contacts_[i]] = integrator_->problem().results()[i];
+    }
     if (asleep_) {
         return;
     }
+    hand_back(whole);
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
         if (system_.bodies[i].dynamic()) {
             whole.states[at(bodies_[i])] = system_.states[i];
         }
-    }
-    for (std::size_t i = 0; i < contacts_.size(); ++i) {
-        whole.contacts[contacts_[i]].history = system_.contacts[i].history;
-        results[contacts_[i]] = integrator_->problem().results()[i];
     }
     start_ = integrator_->memory();
     leaders_.clear();

@@ -23,14 +23,15 @@ void Groups::set(const ContactForces& forces, const SteppingOptions& options, Wo
     group_of_.clear();
 }
 
+void Groups::set_workers(Workers* workers) {
+    workers_ = workers;
+    for (const auto& group : groups_) {
+        group->integrator().set_workers(workers);
+    }
+}
+
 void Groups::renumber(std::span<const int> new_numbers) {
-    // Groups are known by the numbers of their bodies: those whose numbers stay are kept, the others start afresh.
-    const auto stays = [&](const std::unique_ptr<Group>& group) {
-        return std::all_of(group->bodies().begin(), group->bodies().end(), [&](int body) {
-            return at(body) < new_numbers.size() && new_numbers[at(body)] == body;
-        });
-    };
-    std::erase_if(groups_, [&](const auto& group) { return !stays(group); });
+    std::erase_if(groups_, [&](const auto& group) { return !group->renumber(new_numbers); });
     group_of_.assign(whole_.bodies.size(), -1);
     for (std::size_t g = 0; g < groups_.size(); ++g) {
         for (const int body : groups_[g]->bodies()) {
@@ -49,8 +50,8 @@ void Groups::forget() {
 
 void Groups::deal(double time) {
     met_ = time;
+    abandon();
     group_of_.resize(whole_.bodies.size(), -1);
-    results_.resize(whole_.contacts.size());
     find_parts();
     groups_.swap(previous_);
     groups_.clear();
@@ -79,6 +80,19 @@ void Groups::deal(double time) {
     }
 }
 
+// Steps of groups that could not reach the meeting count for nothing but what they cost.
+void Groups::abandon() {
+    for (const auto& group : groups_) {
+        if (group->arrived()) {
+            continue;
+        }
+        group->integrator().take_flows();
+        const SteppingStatistics costs = group->integrator().take_statistics().without_steps();
+        counts_.all.add(costs);
+        counts_.leading.rejected_contact += costs.rejected_contact;
+    }
+}
+
 int Groups::root(int body) {
     while (parent_[at(body)] != body) {
         parent_[at(body)] = parent_[at(parent_[at(body)])];
@@ -87,7 +101,8 @@ int Groups::root(int body) {
     return body;
 }
 
-// Dynamic bodies that contacts join are a part; an explicit method has one step for all, so that they are one.
+// Dynamic bodies that contacts join are a part; an explicit method has one step for all, so that they are
+// one.
 void Groups::find_parts() {
     const std::size_t count = whole_.bodies.size();
     parent_.resize(count);
@@ -225,23 +240,27 @@ StepOutcome Groups::advance(double end, std::span<const BodyCover> covers, std::
     for (const StepOutcome outcome : outcomes) {
         worst = std::max(worst, outcome == StepOutcome::failed ? StepOutcome::left_cover : outcome);
     }
-    const bool failed = std::find(outcomes.begin(), outcomes.end(), StepOutcome::failed) != outcomes.end();
-    return failed ? StepOutcome::failed : worst;
+    if (failed() != nullptr) {
+        results_.clear();  // they belong to no present contacts
+        return StepOutcome::failed;
+    }
+    return worst;
 }
 
 void Groups::commit(double end) {
+    results_.resize(whole_.contacts.size());
     for (const auto& group : groups_) {
         group->commit(whole_, results_);
         const Flows flows = group->integrator().take_flows();
         flows_.energy.add(1, flows.energy);
         flows_.momentum_gain += flows.momentum_gain;
     }
-    count();
-    move_prescribed(end - met_);
+    add_counts();
+    move_prescribed(end);
     met_ = end;
 }
 
-void Groups::count() {
+void Groups::add_counts() {
     const SteppingStatistics* leading = nullptr;
     std::vector<SteppingStatistics> each;
     each.reserve(groups_.size());
@@ -257,12 +276,23 @@ void Groups::count() {
     }
 }
 
-void Groups::move_prescribed(double step) {
+// They belong to no group alone, so all take them from here.
+void Groups::move_prescribed(double end) {
     for (std::size_t b = 0; b < whole_.bodies.size(); ++b) {
-        if (!whole_.bodies[b].dynamic()) {
-            advance_prescribed(step, whole_.states[b]);
+        BodyState& state = whole_.states[b];
+        if (const PrescribedPath* path = whole_.bodies[b].path) {
+            const PathPoint point = path->at(end);
+            state = {point.pose.position, point.pose.orientation, point.velocity, point.spin};
+        } else if (!whole_.bodies[b].dynamic()) {
+            advance_prescribed(end - met_, state);
         }
     }
+}
+
+const Group* Groups::failed() const {
+    const auto found =
+        std::find_if(groups_.begin(), groups_.end(), [](const auto& group) { return group->failed(); });
+    return found == groups_.end() ? nullptr : found->get();
 }
 
 }  // namespace scree

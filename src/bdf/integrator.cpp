@@ -17,9 +17,10 @@ SteppingStatistics Integrator::take_statistics() {
     return std::exchange(statistics_, {});
 }
 
-void Integrator::evaluate_present(Eigen::VectorXd& u) {
+void Integrator::evaluate_present(Eigen::VectorXd& u, double moment) {
     StepFormulas formulas;
-    formulas.time = memory_.time;
+    formulas.time = memory_.time + moment;
+    formulas.step = formulas.beta_h = formulas.friction_beta_h[0] = moment;
     formulas.past[0][0] = 1;
     std::vector<BodyStart> starts(system_.bodies.size());
     u.resize(static_cast<Eigen::Index>(6 * system_.bodies.size()));
@@ -39,8 +40,19 @@ void Integrator::evaluate_present(Eigen::VectorXd& u) {
     memory_.torque = problem_.torques();
 }
 
+void Integrator::remember_energies() {
+    const auto results = problem_.results();
+    for (std::size_t i = 0; i < results.size(); ++i) {
+        const bool touching = results[i].touching;
+        ContactHistory& history = system_.contacts[i].history;
+        history.normal_energy = touching ? results[i].law.normal_energy : 0;
+        history.tangential_energy = touching ? results[i].law.tangential_energy : 0;
+    }
+}
+
 void Integrator::accept(double time, std::size_t order, std::vector<BodyState>& states) {
     remember_contacts();
+    remember_energies();
     const Accumulated before = *memory_.powers;
     memory_.powers = accumulation_rates(system_, problem_);
     memory_.stiffness = Stiffness::of(problem_, system_);

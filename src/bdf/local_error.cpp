@@ -26,8 +26,14 @@ double largest_error(std::span<const Body> bodies, const ErrorScale& scale, Erro
 
 }  // namespace
 
+// A force that jumps within the step makes an error of first order whatever the order; that happens once, and
+// need not be held to what many steps together may make.
+double Stepper::allowed_error(std::size_t order) const {
+    return failures_ < most_failures ? options_.tolerances.a_step(order) : options_.tolerances.sum();
+}
+
 double Stepper::local_error(double time, std::size_t order) const {
-    const double allowed = options_.tolerances.a_step(order);
+    const double allowed = allowed_error(order);
     if (memory_.past.count() < order + 1) {
         return first_error(time - memory_.time) / allowed;
     }
@@ -44,9 +50,8 @@ double Stepper::local_error(double time, std::size_t order) const {
 double Stepper::largest_difference(double time, std::size_t order) const {
     const ErrorScale scale(system_.bodies, problem_.trial(), options_.tolerances.gravity);
     const auto weights = error_weights(time, memory_.past.times(), order);
-    return largest_error(system_.bodies, scale, [&](std::size_t b) {
-        return body_error(b, std::span(weights).first(order + 2));
-    });
+    return largest_error(system_.bodies, scale,
+                         [&](std::size_t b) { return body_error(b, std::span(weights).first(order + 2)); });
 }
 
 // weights: of the new state and the past ones.
@@ -81,15 +86,15 @@ double Stepper::friction_error(const Contact& contact, const ContactResult& resu
     const auto a = static_cast<std::size_t>(contact.a.body);
     const auto b = static_cast<std::size_t>(contact.b.body);
     const auto turn = [&](std::size_t body, std::size_t j) {
-        Quat since = problem_.trial()[body].pose.orientation *
-                     memory_.past.states(j)[body].orientation.conjugate();
+        Quat since =
+            problem_.trial()[body].pose.orientation * memory_.past.states(j)[body].orientation.conjugate();
         return since.w() < 0 ? Quat(-since.coeffs()) : since;
     };
     Vec3 error = weights[0] * result.law.trial.force;
     for (std::size_t k = 1; k < weights.size(); ++k) {
         const FrictionRecord& record = history.past[k - 1];
-        error += weights[k] *
-                 carry(record, result.normal, turn(a, k - 1), turn(b, k - 1), true, nullptr).force;
+        error +=
+            weights[k] * carry(record, result.normal, turn(a, k - 1), turn(b, k - 1), true, nullptr).force;
     }
     const double size = 0.5 * contact.pair.length;  // of two like bodies the radius
     return error.norm() / (contact.pair.tangential_stiffness * size * std::sqrt(12.0));

@@ -12,10 +12,12 @@ constexpr std::size_t most_iterations = 25;
 constexpr std::size_t full_steps = 4;  // before the search sets in
 constexpr std::size_t most_age = 20;   // steps that a factorisation serves
 constexpr double most_change = 0.3;    // of βh, that a factorisation survives
+constexpr double still_share = 1e-4;   // of what is solved, that a prediction needs no iteration for
 constexpr double stall = 0.5;          // ratio of successive defects, above which they are noise
 constexpr double slow = 0.2;           // ratio of successive defects, above which the matrix is made anew
 constexpr double steep = 0.5;          // share of the first slope that a searched step may leave
 constexpr int most_searches = 8;
+constexpr double small_share = 0.3;  // of a direction, twice in a row: a smaller step costs less
 constexpr double caps[] = {0.3, 1, 3, 10, 30};
 constexpr double roundings = 32;  // units in the last place of a position that count as none
 
@@ -57,11 +59,17 @@ bool at_rounding(const StepProblem& problem, std::span<const Body> bodies, const
 }
 
 bool Newton::solve(StepProblem& problem, std::span<const Body> bodies, double gravity, double tolerance,
-                   Eigen::VectorXd& u) {
+                   Persistence persistence, Eigen::VectorXd& u) {
     predicted_ = u;
     effort_ = 0;
+    persistence_ = persistence;
     if (iterate(problem, bodies, gravity, tolerance, u) == Outcome::converged) {
         return true;
+    }
+    if (persistence == Persistence::brief) {
+        forget();
+        u = predicted_;
+        return false;
     }
     // From softer friction to the law as it is, each from the last solution.
     u = predicted_;
@@ -88,7 +96,8 @@ Newton::Outcome Newton::iterate(StepProblem& problem, std::span<const Body> bodi
     ++age_;
     problem.evaluate(u, anew ? Detail::derivative : Detail::force);
     double last = defect_norm(problem, bodies, gravity);
-    if (last <= solved_share * tolerance) {
+    bool crawling = false;  // the last direction was searched to a small part
+    if (last <= still_share * solved_share * tolerance) {
         return Outcome::converged;
     }
     for (std::size_t i = 0; i < most_iterations; ++i) {
@@ -104,6 +113,9 @@ Newton::Outcome Newton::iterate(StepProblem& problem, std::span<const Body> bodi
         ++statistics_.iterations;
         ++effort_;
         const double share = i < full_steps ? 1 : search(problem, u, direction_);
+        if (persistence_ == Persistence::brief && share < small_share && std::exchange(crawling, true)) {
+            return Outcome::failed;
+        }
         u += share * direction_;
         // Who had to renew the matrix once will probably have to again.
         problem.evaluate(u, anew ? Detail::derivative : Detail::force);

@@ -34,4 +34,13 @@ SteppingStatistics& SteppingStatistics::add(const SteppingStatistics& other) {
     return *this;
 }
 
+SteppingStatistics SteppingStatistics::without_steps() const {
+    SteppingStatistics costs = *this;
+    costs.accepted = 0;
+    costs.smallest_step = std::numeric_limits<double>::infinity();
+    costs.largest_step = costs.time_stepped = 0;
+    costs.orders = {};
+    return costs;
+}
+
 }  // namespace scree

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include <scree/bdf/stepper.hpp>
-#include <scree/bdf/touch_limit.hpp>
+#include <scree/dynamics/touch_limit.hpp>
 
 namespace scree {
 
@@ -17,15 +17,15 @@ constexpr double least_gain = 1.5;
 constexpr std::array<double, highest_order> most_growth{10, 2, 1.4, 1.4,
                                                         1.4};  // keeps the formula zero-stable
 constexpr double most_shrink = 0.2;
-constexpr double solver_shrink = 0.25;
+constexpr double path_share = 0.5;  // of the time scale of a prescribed path: a dozen steps a period
+constexpr double solver_shrink = 0.5;
 constexpr std::size_t brisk = 6;  // iterations a step, above which it does not grow
 constexpr std::size_t hard = 10;  // above which it shrinks, for the sake of the work per second
 constexpr double easing = 0.7;
-constexpr double smallest_share = 1e-9;     // of a tick, below which a step is not tried
-constexpr std::size_t most_failures = 3;    // before order 1
-constexpr double even = 0.3;                // ratio of differences two orders apart that is suspect
-constexpr std::size_t most_suspect = 5;     // successive steps, before the order is left
-constexpr std::size_t steps_barred = 100;   // from coming back
+constexpr double smallest_share = 1e-9;    // of a tick, below which a step is not tried
+constexpr double even = 0.3;               // ratio of differences two orders apart that is suspect
+constexpr std::size_t most_suspect = 5;    // successive steps, before the order is left
+constexpr std::size_t steps_barred = 100;  // from coming back
 
 double gain(double error, double with_bias, std::size_t order) {
     return 1 / (std::pow(with_bias * error, 1.0 / static_cast<double>(order + 1)) + 1e-6);
@@ -40,7 +40,8 @@ double Stepper::choose_step(double end) const {
     if (options_.fixed_step > 0 && failures_ == 0) {
         step = options_.fixed_step;
     } else if (options_.fixed_step == 0) {
-        step = touch_limit(system_, std::min(step, left));
+        step = std::min({step, left, path_share * path_time_scale(system_)});
+        step = touch_limit(system_, step);
     }
     if (!(step < left)) {
         return left;

@@ -9,17 +9,24 @@ namespace {
 
 constexpr double solver_share = 0.01;  // of the error tolerance, left to the solution of the equations
 constexpr double first_share = 1e-3;   // of the time to fall or move by one's own radius
+constexpr std::size_t failures_before_thorough = 4;  // of a step, with less work each
 
 }  // namespace
 
 void Stepper::restart(double time) {
+    start_afresh(time, 0);
+    remember_energies();
+}
+
+// With the forces as they are a `moment` [s] later.
+void Stepper::start_afresh(double time, double moment) {
     const double planned = memory_.next_step;
     memory_ = {};
     memory_.time = time;
     for (Contact& contact : system_.contacts) {
         contact.history.age = std::min<std::size_t>(contact.history.age, 1);
     }
-    evaluate_present(u_);
+    evaluate_present(u_, moment);
     memory_.past.restart(time, system_.states);
     const double first = first_step();
     memory_.next_step = planned > 0 ? std::min(planned, first) : first;
@@ -56,19 +63,25 @@ double Stepper::first_step() const {
 
 StepOutcome Stepper::step(double end) {
     const double tick = end - memory_.time;
-    failures_ = 0;
+    failures_ = landings_ = 0;
+    landing_ = 0;
     while (true) {
-        const double step = choose_step(end);
+        const double step = landing_ > 0 ? landing_ - memory_.time : choose_step(end);
         const double time = step == end - memory_.time ? end : memory_.time + step;
         const Attempt outcome = attempt(time);
         if (outcome == Attempt::accepted) {
+            if (landing_ > 0) {
+                start_afresh(time, moment());
+            }
             return StepOutcome::accepted;
         }
         if (outcome == Attempt::not_covered) {
             ++statistics_.rejected_contact;
             return StepOutcome::left_cover;
         }
-        if (!shrink(outcome, step, tick)) {
+        landing_ = 0;
+        const bool located = outcome == Attempt::error_too_large && locate_onset(time);
+        if (!located && !shrink(outcome, step, tick)) {
             return StepOutcome::failed;
         }
     }
@@ -76,9 +89,11 @@ StepOutcome Stepper::step(double end) {
 
 Stepper::Attempt Stepper::attempt(double time) {
     predict(time);
-    const double allowed = options_.tolerances.a_step(memory_.order);
-    const bool solved = corrector_.solve(problem_, system_, solver_share * allowed, memory_.stiffness,
-                                         memory_.patience, u_);
+    const double allowed = allowed_error(memory_.order);
+    const bool last_resort = options_.fixed_step > 0 || failures_ >= failures_before_thorough;
+    const bool solved =
+        corrector_.solve(problem_, system_, solver_share * allowed, memory_.stiffness,
+                         last_resort ? Persistence::thorough : Persistence::brief, memory_.patience, u_);
     statistics_.newton.add(corrector_.take_statistics());
     if (!solved) {
         return Attempt::not_solved;

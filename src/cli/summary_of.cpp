@@ -14,6 +14,21 @@ std::vector<BodyRecord> body_records(const Simulation& simulation) {
     return records;
 }
 
+namespace {
+
+// What the threads have spent on the stages, as shares of the wall time in which they did.
+void set_stage_times(const StepReport& report, RunSummary::Times& time) {
+    const SteppingStatistics& all = report.all_steps;
+    const double sum = all.contact_time + all.jacobian_time + all.solve_time;
+    const double share = sum > report.times.stepping ? report.times.stepping / sum : 1;
+    time.detection = report.times.detection;
+    time.contacts = share * all.contact_time;
+    time.jacobian = share * all.jacobian_time;
+    time.solve = share * all.solve_time;
+}
+
+}  // namespace
+
 RunSummary summary_of(const Simulation& simulation) {
     const StepReport& report = simulation.world().step_report();
     const SteppingStatistics& steps = report.steps;
@@ -23,8 +38,7 @@ RunSummary summary_of(const Simulation& simulation) {
     summary.message = report.message;
     summary.end_time = simulation.scene().end_time;
     summary.reached = simulation.time();
-    summary.time.detection = report.times.detection;
-    summary.time.stepping = report.times.stepping;
+    set_stage_times(report, summary.time);
     summary.steps = {steps.accepted, steps.rejected_error, steps.rejected_newton, steps.rejected_contact};
     if (steps.accepted > 0) {
         summary.smallest_step = steps.smallest_step;
@@ -32,8 +46,9 @@ RunSummary summary_of(const Simulation& simulation) {
         summary.largest_step = steps.largest_step;
     }
     summary.orders.assign(steps.orders.begin(), steps.orders.end());
-    summary.newton = {report.newton.iterations, report.newton.jacobians, report.newton.factorizations};
-    summary.contact_evaluations = report.contact_evaluations;
+    summary.newton = {steps.newton.iterations, steps.newton.jacobians, steps.newton.factorizations};
+    summary.functional_iterations = steps.newton.functional_iterations;
+    summary.contact_evaluations = report.all_steps.contact_evaluations;
     summary.contacts_now = report.contacts;
     summary.contacts_most = report.most_contacts;
     summary.largest_overlap = report.largest_overlap;

@@ -7,6 +7,7 @@
 #include <BulletCollision/BroadphaseCollision/btDbvtBroadphase.h>
 
 #include <scree/detect/convert.hpp>
+#include <scree/overlap/separation.hpp>
 
 namespace scree {
 
@@ -136,7 +137,8 @@ bool PairSearch::near(const PlacedPart& a, const PlacedPart& b, double reach) {
         return height_above(*ground, b, a) <= reach;
     }
     const double sum = a.radius + b.radius + reach;
-    return (a.pose.position - b.pose.position).squaredNorm() <= sum * sum;
+    return (a.pose.position - b.pose.position).squaredNorm() <= sum * sum &&
+           separation(*a.shape, a.pose, *b.shape, b.pose).gap <= reach;
 }
 
 // Of the part's lowest point [m].

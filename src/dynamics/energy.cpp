@@ -4,9 +4,12 @@ namespace scree {
 
 namespace {
 
-// Work that a prescribed body does on what it touches, by the force and moment that it gets in return.
-void add_prescribed(const TrialBody& body, const Vec3& force, const Vec3& moment, Accumulated& rates) {
-    rates.applied -= force.dot(body.velocity) + moment.dot(body.spin);
+// Work that a prescribed body does on what it touches, by the force and moment that it gets in return; its
+// surface has a velocity of its own in the contact plane.
+void add_prescribed(const TrialBody& body, const Vec3& force, const Vec3& moment, const Vec3& normal,
+                    Accumulated& rates) {
+    const Vec3 surface = body.surface_velocity - body.surface_velocity.dot(normal) * normal;
+    rates.applied -= force.dot(body.velocity + surface) + moment.dot(body.spin);
 }
 
 }  // namespace
@@ -46,10 +49,10 @@ Accumulated accumulation_rates(const System& system, const StepProblem& problem)
         const auto a = static_cast<std::size_t>(system.contacts[i].a.body);
         const auto b = static_cast<std::size_t>(system.contacts[i].b.body);
         if (!system.bodies[a].dynamic()) {
-            add_prescribed(problem.trial()[a], law.force, results[i].moment_a, rates);
+            add_prescribed(problem.trial()[a], law.force, results[i].moment_a, results[i].normal, rates);
         }
         if (!system.bodies[b].dynamic()) {
-            add_prescribed(problem.trial()[b], -law.force, results[i].moment_b, rates);
+            add_prescribed(problem.trial()[b], -law.force, results[i].moment_b, results[i].normal, rates);
         }
     }
     return rates;
@@ -76,8 +79,7 @@ Vec3 outside_force(const System& system, const StepProblem& problem) {
     return sum;
 }
 
-EnergyLedger energy_ledger(const System& system, std::span<const ContactResult> results,
-                           const Accumulated& sums, double start) {
+EnergyLedger energy_ledger(const System& system, const Accumulated& sums, double start) {
     EnergyLedger ledger;
     for (std::size_t b = 0; b < system.bodies.size(); ++b) {
         const Body& body = system.bodies[b];
@@ -89,12 +91,9 @@ EnergyLedger energy_ledger(const System& system, std::span<const ContactResult> 
             0.5 * (state.momentum.dot(velocity(body, state)) + state.angular_momentum.dot(spin(body, state)));
         ledger.gravity -= body.weight.dot(state.position);
     }
-    for (const ContactResult& result : results) {
-        if (!result.touching) {
-            continue;
-        }
-        ledger.normal_elastic += result.law.normal_energy;
-        ledger.tangential_elastic += result.law.tangential_energy;
+    for (const Contact& contact : system.contacts) {
+        ledger.normal_elastic += contact.history.normal_energy;
+        ledger.tangential_elastic += contact.history.tangential_energy;
     }
     ledger.normal_elastic += sums.normal_elastic;
     // What went in and is stored no more.
@@ -107,8 +106,8 @@ EnergyLedger energy_ledger(const System& system, std::span<const ContactResult> 
     return ledger;
 }
 
-void EnergyAccount::open(const System& system, std::span<const ContactResult> results) {
-    const EnergyLedger now = energy_ledger(system, results, sums_, start_);
+void EnergyAccount::open(const System& system) {
+    const EnergyLedger now = energy_ledger(system, sums_, start_);
     if (started_) {
         sums_.applied += now.held() - ledger_.held();
         sums_.normal += now.normal_elastic - ledger_.normal_elastic;
@@ -118,14 +117,13 @@ void EnergyAccount::open(const System& system, std::span<const ContactResult> re
         sums_.normal = now.normal_elastic;
         started_ = true;
     }
-    ledger_ = energy_ledger(system, results, sums_, start_);
+    ledger_ = energy_ledger(system, sums_, start_);
 }
 
-void EnergyAccount::settle(const System& system, std::span<const ContactResult> results,
-                           const Flows& flows) {
+void EnergyAccount::settle(const System& system, const Flows& flows) {
     sums_.add(1, flows.energy);
     momentum_gain_ += flows.momentum_gain;
-    ledger_ = energy_ledger(system, results, sums_, start_);
+    ledger_ = energy_ledger(system, sums_, start_);
 }
 
 Vec3 total_momentum(const System& system) {

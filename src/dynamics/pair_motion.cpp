@@ -6,6 +6,15 @@ RelativeMotion relative_motion(const TrialBody& a, const TrialBody& b, const Pai
     return {(a.velocity - b.velocity) + a.spin.cross(arms.a) - b.spin.cross(arms.b), a.spin - b.spin};
 }
 
+void add_surface_motion(const Vec3& surface, const Vec3& normal, RelativeMotion& motion, MotionRates* rates) {
+    const double across = surface.dot(normal);
+    motion.velocity += surface - across * normal;
+    if (rates != nullptr) {
+        rates->velocity -= across * rates->normal;
+        rates->velocity.noalias() -= normal * (surface.transpose() * rates->normal);
+    }
+}
+
 // Everything is seen by an observer who moves with B, for whom only ξ, the motion of A against B, changes the
 // geometry; then turned with B.
 void motion_rates(const ContactGeometry& g, const RelativeMotion& motion, const TrialBody& a,

@@ -1,6 +1,7 @@
 #include <scree/dynamics/step_problem.hpp>
 
 #include <algorithm>
+#include <limits>
 
 #include <scree/dynamics/stopwatch.hpp>
 
@@ -8,10 +9,21 @@ namespace scree {
 
 namespace {
 
-constexpr std::size_t block = 32;           // contacts that one worker takes at a time
-constexpr std::size_t least_shared = 256;   // contacts, below which sharing costs more than it saves
+constexpr std::size_t block = 32;          // contacts that one worker takes at a time
+constexpr std::size_t least_shared = 256;  // contacts, below which sharing costs more than it saves
 
 }  // namespace
+
+double path_time_scale(const System& system) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Contact& contact : system.contacts) {
+        for (const int number : {contact.a.body, contact.b.body}) {
+            const PrescribedPath* path = system.bodies[static_cast<std::size_t>(number)].path;
+            least = path == nullptr ? least : std::min(least, path->time_scale());
+        }
+    }
+    return least;
+}
 
 void StepProblem::begin(const StepFormulas& formulas, std::vector<BodyStart>& starts) {
     formulas_ = formulas;
@@ -49,7 +61,12 @@ void StepProblem::evaluate_contacts() {
 void StepProblem::place_bodies(const Eigen::VectorXd& u) {
     for (std::size_t b = 0; b < trial_.size(); ++b) {
         TrialBody& body = trial_[b];
+        if (system_.bodies[b].path != nullptr) {
+            place_on_path(*system_.bodies[b].path, starts_[b], formulas_, body);
+            continue;
+        }
         const auto row = static_cast<Eigen::Index>(6 * b);
+        body.surface_velocity.setZero();
         body.velocity = u.segment<3>(row);
         body.spin = u.segment<3>(row + 3);
         if (system_.bodies[b].dynamic()) {
@@ -151,6 +168,8 @@ void StepProblem::new_states(std::vector<BodyState>& states) const {
         states[b].position = trial.pose.position;
         states[b].orientation = trial.pose.orientation;
         if (!body.dynamic()) {
+            states[b].momentum = trial.velocity;
+            states[b].angular_momentum = trial.spin;
             continue;
         }
         if (touched_[b]) {

@@ -33,14 +33,31 @@ void place(const BodyStart& start, const StepFormulas& formulas, TrialBody& body
     set_turns(start, formulas, body);
 }
 
+void advance_prescribed(double step, BodyState& state) {
+    state.position += step * state.momentum;
+    const double speed = state.angular_momentum.norm();
+    if (speed > 0) {
+        const Quat turn(Eigen::AngleAxisd(step * speed, state.angular_momentum / speed));
+        state.orientation = (turn * state.orientation).normalized();
+    }
+}
+
 void place_prescribed(const BodyState& last, const BodyStart& start, const StepFormulas& formulas,
                       TrialBody& body) {
-    body.pose = {last.position + formulas.step * body.velocity, last.orientation};
-    const double speed = body.spin.norm();
-    if (speed > 0) {
-        const Quat turn(Eigen::AngleAxisd(formulas.step * speed, body.spin / speed));
-        body.pose.orientation = (turn * last.orientation).normalized();
-    }
+    BodyState state{last.position, last.orientation, body.velocity, body.spin};
+    advance_prescribed(formulas.step, state);
+    body.pose = {state.position, state.orientation};
+    body.turn_rate = formulas.beta_h * Mat3::Identity();
+    set_turns(start, formulas, body);
+}
+
+void place_on_path(const PrescribedPath& path, const BodyStart& start, const StepFormulas& formulas,
+                   TrialBody& body) {
+    const PathPoint point = path.at(formulas.time);
+    body.pose = point.pose;
+    body.velocity = point.velocity;
+    body.spin = point.spin;
+    body.surface_velocity = point.surface_velocity;
     body.turn_rate = formulas.beta_h * Mat3::Identity();
     set_turns(start, formulas, body);
 }

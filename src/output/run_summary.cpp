@@ -1,5 +1,7 @@
 #include <scree/output/run_summary.hpp>
 
+#include <algorithm>
+
 #include <nlohmann/json.hpp>
 
 #include <scree/output/energy_csv.hpp>
@@ -31,12 +33,12 @@ Json json_of(const BodyRecord& body) {
 Json json_of(const RunSummary::Times& time) {
     return {{"wall", time.wall},
             {"detection", time.detection},
-            {"contacts", json_of(time.contacts)},
-            {"jacobian", json_of(time.jacobian)},
-            {"solve", json_of(time.solve)},
-            {"stepping", time.stepping},
+            {"contacts", time.contacts},
+            {"jacobian", time.jacobian},
+            {"solve", time.solve},
             {"output", time.output},
-            {"other", time.wall - time.detection - time.stepping - time.output}};
+            {"other", std::max(0.0, time.wall - time.detection - time.contacts - time.jacobian - time.solve -
+                                        time.output)}};
 }
 
 Json json_of(const EnergyLedger& energy) {

@@ -32,15 +32,34 @@ void check_pairs(const SceneDescription& scene) {
     }
 }
 
-void check_fixed(const BodyDescription& body, const std::string& place) {
-    if (!std::holds_alternative<FixedMotion>(body.motion)) {
+// Velocities of the body itself are where a dynamic one starts from.
+void check_start(const BodyDescription& body, const std::string& place) {
+    if (std::holds_alternative<DynamicMotion>(body.motion)) {
         return;
     }
+    const bool fixed = std::holds_alternative<FixedMotion>(body.motion);
+    const char* found = fixed ? "a fixed body that moves" : "a prescribed body with a velocity of its own";
+    const char* expected = fixed ? "no velocity" : "it in \"motion\"";
     if (body.velocity != Vec3::Zero()) {
-        throw SceneError(place + ".velocity", "a fixed body that moves", "no velocity");
+        throw SceneError(place + ".velocity", found, expected);
     }
     if (body.angular_velocity != Vec3::Zero()) {
-        throw SceneError(place + ".angular_velocity", "a fixed body that turns", "no angular velocity");
+        throw SceneError(place + ".angular_velocity", found, expected);
+    }
+}
+
+void check_vibration(const PrescribedMotion& motion, const std::string& place) {
+    if (motion.amplitude == 0 && motion.frequency == 0) {
+        return;
+    }
+    if (motion.amplitude == 0) {
+        throw SceneError(place + ".frequency", "a frequency without an amplitude", "both above 0, or none");
+    }
+    if (motion.frequency == 0) {
+        throw SceneError(place + ".amplitude", "an amplitude without a frequency", "both above 0, or none");
+    }
+    if (motion.velocity == Vec3::Zero()) {
+        throw SceneError(place + ".velocity", "none", "the direction of the vibration");
     }
 }
 
@@ -54,7 +73,10 @@ void check_bodies(const SceneDescription& scene) {
             std::holds_alternative<DynamicMotion>(body.motion)) {
             throw SceneError(place + ".motion", "a half-space that is dynamic", "\"fixed\" or an object");
         }
-        check_fixed(body, place);
+        check_start(body, place);
+        if (const auto* motion = std::get_if<PrescribedMotion>(&body.motion)) {
+            check_vibration(*motion, place + ".motion");
+        }
     }
 }
 

@@ -183,7 +183,7 @@ InclineRun run_incline(const Incline& incline, double slope, double duration) {
     const StepReport& report = simulation.world().step_report();
     run.message = report.message;
     run.steps = report.steps.accepted;
-    run.newton_iterations = report.newton.iterations;
+    run.newton_iterations = report.steps.newton.iterations;
     return run;
 }
 

@@ -62,10 +62,13 @@ std::vector<SimulationBody> listed_bodies(const SceneDescription& scene,
         SimulationBody& body = bodies.emplace_back();
         body.material = description.material;
         body.solid = solids.at(description.shape);
-        body.fixed = std::holds_alternative<FixedMotion>(description.motion);
+        body.motion = description.motion;
         body.start = {{description.position, description.orientation},
                       description.velocity,
                       description.angular_velocity};
+        if (const auto* motion = std::get_if<PrescribedMotion>(&description.motion)) {
+            body.file_path = std::make_unique<PrescribedMotionPath>(*motion, body.start.pose);
+        }
     }
     return bodies;
 }
@@ -120,8 +123,8 @@ void Simulation::make_world() {
 void Simulation::add_to_world(std::size_t index) {
     SimulationBody& body = bodies_[index];
     const MaterialDescription& material = scene_.materials.at(body.material);
-    const double mass = body.fixed ? 0 : material.density * body.solid.volume;
-    const Vec3 inertia = body.fixed ? Vec3::Zero() : Vec3(material.density * body.solid.inertia);
+    const double mass = body.dynamic() ? material.density * body.solid.volume : 0;
+    const Vec3 inertia = body.dynamic() ? Vec3(material.density * body.solid.inertia) : Vec3::Zero();
     btRigidBody::btRigidBodyConstructionInfo info(mass, nullptr, body.solid.collision.get(),
                                                   to_bullet(inertia));
     const FrameMotion start = tied(body.start, body.solid.body_in_file);
@@ -133,18 +136,22 @@ void Simulation::add_to_world(std::size_t index) {
     body.rigid->setUserIndex(static_cast<int>(index));
     world_->addRigidBody(body.rigid.get());
     world_->set_material(*body.rigid, material);
+    if (const auto* motion = std::get_if<PrescribedMotion>(&body.motion)) {
+        world_->set_path(*body.rigid, std::make_shared<PrescribedMotionPath>(*motion, body.start.pose,
+                                                                             body.solid.body_in_file));
+    }
     const int number = world_->body_number(*body.rigid);
     body.mirrored = world_->system().states[number].orientation.dot(start.pose.orientation) < 0;
 }
 
 bool Simulation::at_start(const SimulationBody& body) const {
-    return body.fixed || world_->step_report().time == 0;
+    return std::holds_alternative<FixedMotion>(body.motion) || world_->step_report().time == 0;
 }
 
 FrameMotion Simulation::body_motion(std::size_t index) const {
     const SimulationBody& body = bodies_[index];
-    if (at_start(body)) {
-        return tied(body.start, body.solid.body_in_file);
+    if (body.file_path || at_start(body)) {
+        return tied(file_motion(index), body.solid.body_in_file);
     }
     const System& system = world_->system();
     const auto number = static_cast<std::size_t>(world_->body_number(*body.rigid));
@@ -156,6 +163,10 @@ FrameMotion Simulation::body_motion(std::size_t index) const {
 
 FrameMotion Simulation::file_motion(std::size_t index) const {
     const SimulationBody& body = bodies_[index];
+    if (body.file_path) {
+        const PathPoint point = body.file_path->at(time());
+        return {point.pose, point.velocity, point.spin};
+    }
     return at_start(body) ? body.start : tied(body_motion(index), body.solid.body_in_file.inverse());
 }
 

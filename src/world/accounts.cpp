@@ -5,25 +5,6 @@
 
 namespace scree {
 
-void Accounts::close(const StepReport& report) {
-    steps_ = report.steps;
-    newton_ = report.newton;
-    energy_ = report.energy;
-    momentum_residual_ = report.momentum_residual;
-    evaluations_ = report.contact_evaluations;
-}
-
-void Accounts::fill(const Integrator& integrator, StepReport& report) const {
-    report.steps = steps_;
-    report.newton = newton_;
-    add(report.steps, integrator.statistics());
-    add(report.newton, integrator.newton());
-    report.contact_evaluations = evaluations_ + integrator.problem().evaluations();
-    report.energy = integrator.energy();
-    add_flows(report.energy, energy_);
-    report.momentum_residual = momentum_residual_ + integrator.momentum_residual();
-}
-
 void report_contacts(const System& system, std::span<const ContactResult> results, StepReport& report) {
     report.contacts = 0;
     for (std::size_t i = 0; i < results.size(); ++i) {
@@ -41,13 +22,13 @@ void report_contacts(const System& system, std::span<const ContactResult> result
     report.most_contacts = std::max(report.most_contacts, report.contacts);
 }
 
-std::string why_no_step(const Integrator& integrator, const SteppingStatistics& before) {
-    const SteppingStatistics& now = integrator.statistics();
+std::string why_no_step(const Group& group) {
+    const SteppingStatistics& now = group.integrator().statistics();
     std::ostringstream why;
-    why << "no step could be made at t = " << integrator.time()
-        << " s: Newton's iteration did not converge in " << now.rejected_newton - before.rejected_newton
-        << " attempts and the error was too large in " << now.rejected_error - before.rejected_error
-        << ", down to the smallest step that is tried";
+    why << "no step could be made at t = " << group.integrator().time()
+        << " s: the equations were not solved in " << now.rejected_newton
+        << " attempts and the error was too large in " << now.rejected_error
+        << " since t = " << group.start().time << " s, down to the smallest step that is tried";
     return why.str();
 }
 

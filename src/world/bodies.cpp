@@ -56,6 +56,10 @@ void Bodies::check_motion(const WorldBody& body) {
     }
 }
 
+void Bodies::prescribe(int number, std::shared_ptr<const PrescribedPath> path) {
+    bodies_[static_cast<std::size_t>(number)].path = std::move(path);
+}
+
 void Bodies::remove(const btCollisionObject& object) {
     const auto found = numbers_.find(&object);
     if (found != numbers_.end()) {

@@ -2,6 +2,7 @@
 
 #include <btBulletDynamicsCommon.h>
 
+#include <memory>
 #include <span>
 #include <unordered_map>
 #include <vector>
@@ -14,7 +15,7 @@ namespace scree {
 /// How a body moves.
 enum class Motion {
     fixed,
-    prescribed,  ///< Bullet's kinematic bodies: towards a target
+    prescribed,  ///< along a path, or as Bullet's kinematic bodies: towards a target
     dynamic,     ///< by forces
 };
 
@@ -26,8 +27,9 @@ struct WorldBody {
     BodyShape shape;
     bool contacts_end = false;  ///< the shape is another one
     Motion motion = Motion::fixed;
-    double friction = 0;     ///< Bullet's, as last seen
-    double restitution = 0;  ///< Bullet's, as last seen
+    std::shared_ptr<const PrescribedPath> path;  ///< null: as Bullet has it
+    double friction = 0;                         ///< Bullet's, as last seen
+    double restitution = 0;                      ///< Bullet's, as last seen
 
     btTransform transform;  ///< as last read or written
     btVector3 velocity;
@@ -36,8 +38,9 @@ struct WorldBody {
 
 /// What reading the bodies has shown to be other than the method left it.
 struct Changes {
-    bool states = false;     ///< a pose, a velocity, a mass, a body more or less: the method starts afresh
-    bool constants = false;  ///< something that pair constants are made of
+    std::vector<int> bodies;  ///< that have another pose, velocity or mass: their groups start afresh
+    bool any = false;         ///< there are such, or bodies more or less
+    bool constants = false;   ///< something that pair constants are made of
 };
 
 /// The bodies of a world in the order in which they were added: between Bullet's and the system's.
@@ -47,6 +50,8 @@ class Bodies {
 
     /// Throws std::invalid_argument, and adds nothing, for what cannot be done.
     void add(btCollisionObject& object);
+    /// From the next read() on it moves along a path; null: as Bullet has it.
+    void prescribe(int number, std::shared_ptr<const PrescribedPath> path);
     /// Marks it; it stays in the system until the next drop_removed().
     void remove(const btCollisionObject& object);
     /// −1: not here.
@@ -56,11 +61,12 @@ class Bodies {
     /// where a body's contacts end; empty when all is as it was.
     std::vector<int> drop_removed();
 
-    /// Forces, masses, and what was set from outside since the last write. `tick` [s]; `left` [s] to the end
-    /// of stepSimulation's time, when prescribed bodies are to have reached their targets.
-    Changes read(double tick, double left);
+    /// Forces, masses, and what was set from outside since the last write. `now` [s]; `tick` [s]; `left` [s]
+    /// to the end of stepSimulation's time, when kinematic bodies are to have reached their targets.
+    Changes read(double now, double tick, double left);
 
-    /// Hands the states of dynamic bodies to Bullet. `arrived`: prescribed bodies are at their targets.
+    /// Hands the states of dynamic bodies and those on paths to Bullet. `arrived`: kinematic bodies are at
+    /// their targets.
     void write(bool arrived);
 
     [[nodiscard]] std::span<const WorldBody> all() const { return bodies_; }
@@ -70,8 +76,8 @@ class Bodies {
     static void check_motion(const WorldBody& body);
     BodyShape translate(const btCollisionObject& object);
     void follow_shapes();
-    void read_one(std::size_t number, double tick, double left, Changes& changes);
-    void read_motion(std::size_t number, double left, Changes& changes);
+    void read_one(std::size_t number, double now, double tick, double left, Changes& changes);
+    void read_motion(std::size_t number, double now, double left, Changes& changes);
 
     System& system_;
     ShapeLibrary library_;

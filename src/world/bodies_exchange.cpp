@@ -20,7 +20,7 @@ bool same(const btTransform& a, const btTransform& b) {
 }
 
 bool same(const Body& a, const Body& b) {
-    return a.mass == b.mass && a.inertia == b.inertia && a.radius == b.radius;
+    return a.mass == b.mass && a.inertia == b.inertia && a.radius == b.radius && a.path == b.path;
 }
 
 bool finite(const BodyState& state) {
@@ -30,46 +30,53 @@ bool finite(const BodyState& state) {
 
 }  // namespace
 
-Changes Bodies::read(double tick, double left) {
-    Changes changes{added_or_removed_, added_or_removed_};
+Changes Bodies::read(double now, double tick, double left) {
+    Changes changes{{}, added_or_removed_, added_or_removed_};
     added_or_removed_ = false;
     for (std::size_t number = 0; number < bodies_.size(); ++number) {
-        read_one(number, tick, left, changes);
+        read_one(number, now, tick, left, changes);
         if (!finite(system_.states[number])) {
             throw std::runtime_error("body " + std::to_string(number) +
                                      " was given a pose or a velocity that is not finite");
         }
     }
+    changes.any = changes.any || !changes.bodies.empty();
     return changes;
 }
 
-void Bodies::read_one(std::size_t number, double tick, double left, Changes& changes) {
+void Bodies::read_one(std::size_t number, double now, double tick, double left, Changes& changes) {
     WorldBody& body = bodies_[number];
     Body& physical = system_.bodies[number];
-    const Motion motion = motion_of(*body.object);
+    const Motion motion = body.path ? Motion::prescribed : motion_of(*body.object);
     const bool other_motion = motion != body.motion;
     body.motion = motion;
     check_motion(body);
-    const Body now = physical_body(body);
-    if (other_motion || !same(physical, now)) {
-        physical = now;
+    const Body present = physical_body(body);
+    if (other_motion || !same(physical, present)) {
+        physical = present;
         body.velocity = unseen();  // the same velocity is another momentum now
-        changes.states = changes.constants = true;
+        changes.bodies.push_back(static_cast<int>(number));
+        changes.constants = true;
     }
     if (body.friction != body.object->getFriction() || body.restitution != body.object->getRestitution()) {
         body.friction = body.object->getFriction();
         body.restitution = body.object->getRestitution();
         changes.constants = true;
     }
-    read_motion(number, left, changes);
+    read_motion(number, now, left, changes);
     if (motion == Motion::dynamic) {
         read_forces(*body.rigid, system_.states[number], tick, physical);
     }
 }
 
-void Bodies::read_motion(std::size_t number, double left, Changes& changes) {
+void Bodies::read_motion(std::size_t number, double now, double left, Changes& changes) {
     WorldBody& body = bodies_[number];
     BodyState& state = system_.states[number];
+    if (body.path) {
+        const PathPoint point = body.path->at(now);
+        state = {point.pose.position, point.pose.orientation, point.velocity, point.spin};
+        return;
+    }
     const btTransform& transform = body.object->getWorldTransform();
     if (body.motion == Motion::prescribed) {
         aim(to_eigen(transform), left, state);
@@ -81,7 +88,7 @@ void Bodies::read_motion(std::size_t number, double left, Changes& changes) {
         state.orientation = pose.orientation;
         body.transform = transform;
         body.velocity = unseen();  // the spin is kept, not the angular momentum
-        changes.states = true;
+        changes.bodies.push_back(static_cast<int>(number));
     }
     if (body.motion == Motion::fixed) {
         set_velocity(system_.bodies[number], Vec3::Zero(), Vec3::Zero(), state);
@@ -93,7 +100,7 @@ void Bodies::read_motion(std::size_t number, double left, Changes& changes) {
         set_velocity(system_.bodies[number], to_eigen(velocity), to_eigen(spin), state);
         body.velocity = velocity;
         body.spin = spin;
-        changes.states = true;
+        changes.bodies.push_back(static_cast<int>(number));
     }
 }
 
@@ -101,12 +108,13 @@ void Bodies::write(bool arrived) {
     for (std::size_t number = 0; number < bodies_.size(); ++number) {
         WorldBody& body = bodies_[number];
         BodyState& state = system_.states[number];
-        if (body.motion == Motion::prescribed && arrived) {
+        const bool on_path = body.path != nullptr;
+        if (body.motion == Motion::prescribed && !on_path && arrived) {
             const Pose target = to_eigen(body.object->getWorldTransform());
             state.position = target.position;
             state.orientation = target.orientation;
         }
-        if (body.motion != Motion::dynamic) {
+        if (body.motion != Motion::dynamic && !on_path) {
             continue;
         }
         const Body& physical = system_.bodies[number];

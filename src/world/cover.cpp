@@ -1,84 +1,47 @@
 #include "cover.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <stdexcept>
 
 namespace scree {
 
 namespace {
 
-constexpr double least_reach = 0.02;    // of ℓ, beyond the expected motion
-constexpr double modest_reach = 0.2;    // of ℓ, for which the rest of the tick is always covered
-constexpr double steps_covered = 4;     // at least, of a faster body
-constexpr double steps_expected = 1.5;  // what the next step may be, over the last
-constexpr double generosity = 2;        // over what a body that left its region asked for
-constexpr double rounding = 1e-6;       // of the motion
+constexpr double least_reach = 0.02;  // of ℓ, beyond the expected motion
+constexpr double rounding = 1e-6;     // of the motion
 
-// Bound on how far a body's points come in a time [s], contacts left aside.
-class Motions {
-  public:
-    Motions(const Body& body, const BodyState& state, double radius) {
-        const double turning = spin(body, state).norm();
-        speed_ = velocity(body, state).norm() + (turning > 0 ? turning * radius : 0);
-        acceleration_ = body.dynamic() ? (body.weight + body.force).norm() / body.mass : 0;
+// How far the body's points come [m], contacts left aside.
+double expected_motion(const Body& body, const BodyState& state, double radius, double now, double duration) {
+    if (body.path != nullptr) {
+        return body.path->reach(now, now + duration, radius);
     }
-    double operator()(double time) const {
-        return time > 0 ? (speed_ + 0.5 * acceleration_ * time) * time : 0;
-    }
-
-  private:
-    double speed_ = 0;
-    double acceleration_ = 0;
-};
+    const double turning = spin(body, state).norm();
+    const double speed = velocity(body, state).norm() + (turning > 0 ? turning * radius : 0);
+    const double acceleration = body.dynamic() ? (body.weight + body.force).norm() / body.mass : 0;
+    return (speed + 0.5 * acceleration * duration) * duration;
+}
 
 }  // namespace
 
-void Cover::lay(const System& system, std::span<const WorldBody> bodies, double left, double step) {
-    demand_.resize(bodies.size(), 0);
+void Cover::lay(const System& system, std::span<const WorldBody> bodies, double now, double duration) {
     searched_.clear();
+    regions_.clear();
     for (std::size_t b = 0; b < bodies.size(); ++b) {
         const Body& body = system.bodies[b];
         const BodyState& state = system.states[b];
-        const Motions motion(body, state, bodies[b].shape.radius);
-        const double size = body.radius;  // 0: moves as prescribed, so that its motion is known
-        const double fast = body.dynamic() ? motion(steps_covered * step) : motion(left);
-        const double expected = std::min(motion(left), std::max(modest_reach * size, fast));
-        const double reach = std::max(least_reach * size + (1 + rounding) * expected, demand_[b]);
-        searched_.push_back(
-            {bodies[b].object, &bodies[b].shape, {state.position, state.orientation}, reach, body.dynamic()});
-        demand_[b] = 0;
+        const Pose pose{state.position, state.orientation};
+        const double radius = bodies[b].shape.radius;
+        const double expected = expected_motion(body, state, radius, now, duration);
+        const double reach = least_reach * body.radius + (1 + rounding) * expected;
+        searched_.push_back({bodies[b].object, &bodies[b].shape, pose, reach, body.dynamic()});
+        regions_.push_back({pose, radius, reach});
     }
 }
 
-bool Cover::lasts(const System& system, double left, double step) const {
-    for (std::size_t b = 0; b < searched_.size(); ++b) {
-        const SearchBody& laid = searched_[b];
-        const BodyState& state = system.states[b];
-        const double radius = laid.shape->radius;
-        const double moved = largest_move(laid.pose, {state.position, state.orientation}, radius);
-        const Motions motion(system.bodies[b], state, radius);
-        if (moved + std::min(motion(left), motion(steps_expected * step)) > laid.reach) {
-            return false;
-        }
+void Cover::widen(std::span<const double> demand) {
+    for (std::size_t b = 0; b < demand.size(); ++b) {
+        regions_[b].reach = std::max(regions_[b].reach, demand[b]);
+        searched_[b].reach = regions_[b].reach;
     }
-    return true;
-}
-
-bool Cover::holds(std::span<const TrialBody> trial) {
-    bool all = true;
-    for (std::size_t b = 0; b < searched_.size(); ++b) {
-        const SearchBody& laid = searched_[b];
-        const double moved = largest_move(laid.pose, trial[b].pose, laid.shape->radius);
-        if (!(moved <= laid.reach)) {
-            if (!std::isfinite(moved)) {
-                throw std::runtime_error("a body's pose is not finite");
-            }
-            demand_[b] = generosity * moved;
-            all = false;
-        }
-    }
-    return all;
 }
 
 }  // namespace scree

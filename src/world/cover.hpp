@@ -3,8 +3,8 @@
 #include <span>
 #include <vector>
 
+#include <scree/bdf/group.hpp>
 #include <scree/detect/pair_search.hpp>
-#include <scree/dynamics/step_problem.hpp>
 
 #include "bodies.hpp"
 
@@ -13,23 +13,20 @@ namespace scree {
 /// The region about each body within which the candidate pairs are complete.
 class Cover {
   public:
-    /// Lays it about the present poses: for the motion in the `left` seconds to the tick's end, but for a
-    /// fast body only for a few steps of `step` [s].
-    void lay(const System& system, std::span<const WorldBody> bodies, double left, double step);
+    /// Lays it about the present poses for the expected motion in the `duration` [s] from `now` [s] on.
+    void lay(const System& system, std::span<const WorldBody> bodies, double now, double duration);
+
+    /// Gives those bodies whose demand [m] is above 0 that much room.
+    void widen(std::span<const double> demand);
 
     /// What the pair search is to use.
     [[nodiscard]] std::span<const SearchBody> bodies() const { return searched_; }
-
-    /// Whether all bodies are expected to stay inside in the next step.
-    [[nodiscard]] bool lasts(const System& system, double left, double step) const;
-
-    /// Whether all trial poses are inside. A body for which that is not so gets more room when the cover is
-    /// laid anew.
-    bool holds(std::span<const TrialBody> trial);
+    /// What the groups are to keep to.
+    [[nodiscard]] std::span<const BodyCover> regions() const { return regions_; }
 
   private:
     std::vector<SearchBody> searched_;
-    std::vector<double> demand_;  ///< [m], the least reach that a body is to be given next time
+    std::vector<BodyCover> regions_;
 };
 
 }  // namespace scree

@@ -17,6 +17,13 @@ void DynamicsWorld::set_stepping(const SteppingOptions& options) {
     implementation_->set_stepping(options);
 }
 
+void DynamicsWorld::set_threads(std::size_t threads) {
+    if (threads == 0) {
+        throw std::invalid_argument("a world needs at least one thread");
+    }
+    implementation_->set_threads(threads);
+}
+
 void DynamicsWorld::set_material(const btRigidBody& body, const Material& material) {
     implementation_->materials().give(body, material);
     implementation_->constants_changed();
@@ -29,6 +36,14 @@ Material DynamicsWorld::material(const btRigidBody& body) const {
 void DynamicsWorld::set_mixing(Mixing mixing) {
     implementation_->materials().set_mixing(std::move(mixing));
     implementation_->constants_changed();
+}
+
+void DynamicsWorld::set_path(const btRigidBody& body, std::shared_ptr<const PrescribedPath> path) {
+    const int number = body_number(body);
+    if (number < 0) {
+        throw std::invalid_argument("a body that is not in this world has no path here");
+    }
+    implementation_->bodies().prescribe(number, std::move(path));
 }
 
 void DynamicsWorld::set_forces(std::unique_ptr<ContactForces> forces) {

@@ -39,6 +39,7 @@ Motion motion_of(const btCollisionObject& object) {
 
 Body physical_body(const WorldBody& body) {
     Body physical;
+    physical.path = body.path.get();
     if (body.motion != Motion::dynamic) {
         return physical;
     }

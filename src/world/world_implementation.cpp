@@ -18,12 +18,9 @@ bool WorldImplementation::run(btCollisionWorld& world, double tick, double gravi
     if (!read) {
         return false;
     }
-    const bool stepped = guarded([&] {
-        find_pairs(world, end);
-        step_to(world, end);
-    });
+    const bool stepped = guarded([&] { step_to(world, end); });
     write_bodies(tick);
-    accounts_.fill(*integrator_, report_);
+    take_accounts();
     report_contacts(system_, results(), report_);
     return stepped;
 }
@@ -42,20 +39,24 @@ bool WorldImplementation::guarded(const std::function<void()>& part) {
 void WorldImplementation::read_bodies(double tick) {
     if (const std::vector<int> numbers = bodies_.drop_removed(); !numbers.empty()) {
         list_.renumber(numbers);
-        restart_ = constants_changed_ = true;
+        groups_.renumber(numbers);
+        changed_ = constants_changed_ = true;
     }
     call_left_ = std::max(call_left_, tick);
-    const Changes changes = bodies_.read(tick, call_left_);
-    restart_ = restart_ || changes.states;
+    const Changes changes = bodies_.read(clock_.now(), tick, call_left_);
+    for (const int body : changes.bodies) {
+        groups_.restart(body);
+    }
+    changed_ = changed_ || changes.any;
     constants_changed_ = constants_changed_ || changes.constants;
 }
 
 void WorldImplementation::prepare(double gravity) {
-    if (gravity != options_.tolerances.gravity) {
-        SteppingOptions options = options_;
-        options.tolerances.gravity = gravity;
-        replace_integrator(options);
-        constants_changed_ = true;
+    if (gravity != options_.tolerances.gravity || options_changed_) {
+        options_.tolerances.gravity = gravity;
+        groups_.set(law_, options_, workers_.get());
+        options_changed_ = false;
+        changed_ = constants_changed_ = true;
     }
     if (constants_changed_) {
         materials_.prepare(bodies_.all(), system_.bodies, gravity);
@@ -66,43 +67,66 @@ void WorldImplementation::prepare(double gravity) {
     }
 }
 
-void WorldImplementation::find_pairs(btCollisionWorld& world, double end) {
-    const Stopwatch watch(report_.times.detection);
-    const double now = restart_ ? clock_.now() : integrator_->time();
-    cover_.lay(system_, bodies_.all(), end - now, integrator_->last_step());
-    const bool renewed = list_.renew(search_.find(world, cover_.bodies()),
-                                     [this](const PartPair& pair) { return make_contact(pair); });
-    if (renewed) {
-        integrator_->contacts_renewed();
+void WorldImplementation::step_to(btCollisionWorld& world, double end) {
+    const double detection = report_.times.detection;
+    const Stopwatch watch(report_.times.stepping);
+    groups_.forget();
+    for (double now = clock_.now(); now < end;) {
+        now = to_meeting(world, now, end);
     }
+    report_.times.stepping -= report_.times.detection - detection;
+}
+
+// Detect, deal the bodies out to groups, step each, and let them meet. Returns the time of the meeting.
+double WorldImplementation::to_meeting(btCollisionWorld& world, double now, double end) {
+    const double meeting = choose_meeting(world, now, end);
+    deal(now);
+    StepOutcome outcome = groups_.advance(meeting, cover_.regions(), demand_);
+    while (outcome == StepOutcome::left_cover) {
+        cover_.widen(demand_);
+        find_pairs(world);
+        deal(now);
+        outcome = groups_.advance(meeting, cover_.regions(), demand_);
+    }
+    if (outcome == StepOutcome::failed) {
+        throw std::runtime_error(why_no_step(*groups_.failed()));
+    }
+    groups_.commit(meeting);
+    account_.settle(system_, groups_.take_flows());
+    report_.time = meeting;
+    return meeting;
+}
+
+double WorldImplementation::choose_meeting(btCollisionWorld& world, double now, double end) {
+    const double span = plan_.choose(end - now, options_.fixed_step, system_, [&](double duration) {
+        cover_.lay(system_, bodies_.all(), now, duration);
+        find_pairs(world);
+    });
+    return span == end - now ? end : now + span;
+}
+
+void WorldImplementation::find_pairs(btCollisionWorld& world) {
+    const Stopwatch watch(report_.times.detection);
+    list_.renew(search_.find(world, cover_.bodies()),
+                [this](const PartPair& pair) { return make_contact(pair); });
     law_.choose(system_.contacts);
     ++report_.pair_searches;
 }
 
-void WorldImplementation::step_to(btCollisionWorld& world, double end) {
-    const double detection = report_.times.detection;
-    const Stopwatch watch(report_.times.stepping);
-    integrator_->set_covered([&](std::span<const TrialBody> trial) {
-        const bool covered = cover_.holds(trial);
-        if (!covered) {
-            find_pairs(world, end);
-        }
-        return covered;
-    });
-    if (restart_) {
-        integrator_->restart(clock_.now());
-        restart_ = false;
+void WorldImplementation::deal(double now) {
+    groups_.deal(now);
+    if (changed_) {
+        account_.open(system_);
+        changed_ = false;
     }
-    while (!system_.bodies.empty() && integrator_->time() < end) {
-        if (!cover_.lasts(system_, end - integrator_->time(), integrator_->last_step())) {
-            find_pairs(world, end);
-        }
-        const SteppingStatistics before = integrator_->statistics();
-        if (!integrator_->step(end)) {
-            throw std::runtime_error(why_no_step(*integrator_, before));
-        }
-    }
-    report_.times.stepping -= report_.times.detection - detection;
+}
+
+void WorldImplementation::take_accounts() {
+    const Groups::Counts counts = groups_.take_counts();
+    report_.steps.add(counts.leading);
+    report_.all_steps.add(counts.all);
+    report_.energy = account_.ledger();
+    report_.momentum_residual = account_.momentum_residual();
 }
 
 Contact WorldImplementation::make_contact(const PartPair& pair) const {
@@ -127,17 +151,14 @@ void WorldImplementation::write_bodies(double tick) {
     if (!report_.failed) {
         clock_.advance();
         ++report_.ticks;
+        report_.time = clock_.now();
     }
     bodies_.write(!report_.failed && call_left_ < 0.5 * tick);
-    const bool started = !restart_ && !system_.bodies.empty();
-    report_.time = started ? integrator_->time() : clock_.now();
 }
 
 std::span<const ContactResult> WorldImplementation::results() const {
-    if (integrator_->problem().results().size() != system_.contacts.size()) {
-        return {};
-    }
-    return integrator_->problem().results();
+    return groups_.results().size() == system_.contacts.size() ? groups_.results()
+                                                               : std::span<const ContactResult>();
 }
 
 void WorldImplementation::place(btCollisionWorld& world) {
@@ -151,18 +172,16 @@ void WorldImplementation::place(btCollisionWorld& world) {
     search_.place(world, present);
 }
 
-void WorldImplementation::set_stepping(const SteppingOptions& options) {
-    SteppingOptions with_gravity = options;
-    with_gravity.tolerances.gravity = options_.tolerances.gravity;
-    replace_integrator(with_gravity);
+void WorldImplementation::set_threads(std::size_t threads) {
+    workers_ = std::make_unique<Workers>(threads);
+    groups_.set_workers(workers_.get());
 }
 
-// An integrator lives as long as its options; what the old one has counted is kept.
-void WorldImplementation::replace_integrator(const SteppingOptions& options) {
-    integrator_ = make_integrator(system_, law_, options);
-    accounts_.close(report_);
+void WorldImplementation::set_stepping(const SteppingOptions& options) {
+    System none;
+    make_integrator(none, law_, options);  // refuses what no method has
     options_ = options;
-    restart_ = true;
+    options_changed_ = true;
 }
 
 Material WorldImplementation::material(const btRigidBody& body, double gravity) const {

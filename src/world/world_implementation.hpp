@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include <scree/bdf/integrator.hpp>
+#include <scree/bdf/groups.hpp>
 #include <scree/world/step_report.hpp>
 
 #include "accounts.hpp"
@@ -13,6 +13,7 @@
 #include "cover.hpp"
 #include "law_choice.hpp"
 #include "materials.hpp"
+#include "meeting_plan.hpp"
 #include "tick_clock.hpp"
 
 namespace scree {
@@ -27,6 +28,7 @@ class WorldImplementation {
     [[nodiscard]] const StepReport& report() const { return report_; }
     [[nodiscard]] std::span<const ContactResult> results() const;
 
+    void set_threads(std::size_t threads);
     void set_stepping(const SteppingOptions& options);
     void constants_changed() { constants_changed_ = true; }
     [[nodiscard]] Material material(const btRigidBody& body, double gravity) const;
@@ -42,9 +44,12 @@ class WorldImplementation {
     bool guarded(const std::function<void()>& part);
     void read_bodies(double tick);
     void prepare(double gravity);
-    void replace_integrator(const SteppingOptions& options);
-    void find_pairs(btCollisionWorld& world, double end);
     void step_to(btCollisionWorld& world, double end);
+    double to_meeting(btCollisionWorld& world, double now, double end);
+    double choose_meeting(btCollisionWorld& world, double now, double end);
+    void find_pairs(btCollisionWorld& world);
+    void deal(double now);
+    void take_accounts();
     [[nodiscard]] Contact make_contact(const PartPair& pair) const;
     [[nodiscard]] PairConstants constants(int a, int b) const;
     void write_bodies(double tick);
@@ -57,12 +62,16 @@ class WorldImplementation {
     Cover cover_;
     PairSearch search_;
     SteppingOptions options_;
-    std::unique_ptr<Integrator> integrator_ = make_integrator(system_, law_, options_);
+    std::unique_ptr<Workers> workers_ = std::make_unique<Workers>(1);
+    Groups groups_{system_};
+    MeetingPlan plan_;
+    std::vector<double> demand_;
     TickClock clock_;
+    EnergyAccount account_;
     StepReport report_;
-    Accounts accounts_;
     double call_left_ = 0;
-    bool restart_ = true;
+    bool options_changed_ = true;
+    bool changed_ = true;  ///< from outside since the last tick
     bool constants_changed_ = true;
 };
 

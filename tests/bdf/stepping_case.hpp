@@ -12,6 +12,7 @@ struct SteppingCase {
     System system;
     std::vector<std::unique_ptr<Shape>> shapes;
     double gravity = 0;
+    EnergyAccount account;
     ForcesOf<CundallStrack<LawParts{}>> forces{CundallStrack<LawParts{}>{}};
 
     int add_ground(Shape shape) {
@@ -46,19 +47,21 @@ struct SteppingCase {
         system.contacts.push_back(contact);
         return system.contacts.back().pair;
     }
-    /// In one go, to `end`, with ticks of `tick` [s].
+    /// In one go, to `end`, with ticks of `tick` [s]. Null: a step could not be made.
     std::unique_ptr<Integrator> run(double end, SteppingOptions options, double tick) {
         options.tolerances.gravity = gravity;
         auto integrator = make_integrator(system, forces, options);
         integrator->restart(0);
+        account.open(system);
         const auto ticks = static_cast<int>(std::lround(end / tick));
         for (int i = 1; i <= ticks; ++i) {
             while (integrator->time() < i * tick) {
-                if (!integrator->step(i * tick)) {
+                if (integrator->step(i * tick) != StepOutcome::accepted) {
                     return nullptr;
                 }
             }
         }
+        account.settle(system, integrator->flows());
         return integrator;
     }
 };

@@ -7,6 +7,7 @@
 #include <scree/detect/convert.hpp>
 #include <scree/detect/pair_search.hpp>
 #include <scree/overlap/overlap.hpp>
+#include <scree/overlap/separation.hpp>
 #include <tests/support/random.hpp>
 
 using namespace scree;
@@ -87,8 +88,8 @@ void fill(Scene& scene, std::uint64_t seed, double size, int count) {
     }
 }
 
-// What the search promises, asked of all pairs of parts: boxes and balls nearer than the reaches, and for a
-// half-space the lowest point.
+// What the search promises, asked of all pairs of parts: boxes and balls nearer than the reaches and no axis
+// of faces or centres that parts them more, and for a half-space the lowest point.
 bool expected(const SearchBody& a, const BodyPart& part_a, const SearchBody& b, const BodyPart& part_b) {
     const double reach = a.reach + b.reach;
     const Pose pose_a = a.pose * part_a.local;
@@ -111,7 +112,8 @@ bool expected(const SearchBody& a, const BodyPart& part_a, const SearchBody& b, 
         }
     }
     return (pose_a.position - pose_b.position).norm() <=
-           bounding_radius(*part_a.shape) + bounding_radius(*part_b.shape) + reach;
+               bounding_radius(*part_a.shape) + bounding_radius(*part_b.shape) + reach &&
+           separation(*part_a.shape, pose_a, *part_b.shape, pose_b).gap <= reach;
 }
 
 std::vector<PartPair> by_brute_force(const std::vector<SearchBody>& bodies) {

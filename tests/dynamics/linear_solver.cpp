@@ -24,7 +24,7 @@ StepCase chain(Random& random, int boxes) {
 }
 
 // The solution for a random right side against Eigen's dense one for the whole matrix.
-double solution_error(const StepProblem& problem, Random& random, std::size_t bodies) {
+double solution_error(StepProblem& problem, Random& random, std::size_t bodies) {
     Eigen::VectorXd right(static_cast<Eigen::Index>(6 * bodies));
     for (double& value : right) {
         value = random.uniform(-1, 1);

@@ -43,9 +43,11 @@ Meeting random_meeting(Random& random, const std::string& kind) {
     return {random.polyhedron(12, radius), random.polyhedron(14, radius), 1.3 * radius * way};
 }
 
+// What the second body is.
+enum class Second { free, prescribed, conveyor };
+
 // One contact of that kind with random velocities and a random past; empty when it has no force.
-std::optional<StepCase> random_step(Random& random, const std::string& kind, double friction,
-                                    bool prescribed) {
+std::optional<StepCase> random_step(Random& random, const std::string& kind, double friction, Second second) {
     const Meeting meeting = random_meeting(random, kind);
     const double speed = 0.2 * depth / h;
     StepCase step;
@@ -53,7 +55,9 @@ std::optional<StepCase> random_step(Random& random, const std::string& kind, dou
     const Pose pose_a{meeting.apart, Quat::Identity()};
     const Pose frame{random.vector(), random.rotation()};
     step.add_body(meeting.a, frame * pose_a, speed * random.vector(), 10 * speed * random.vector());
-    if (prescribed || std::holds_alternative<HalfSpace>(meeting.b)) {
+    if (second == Second::conveyor) {
+        step.add_on_path(meeting.b, {frame, 0.2 * random.vector(), random.vector(), speed * random.vector()});
+    } else if (second == Second::prescribed || std::holds_alternative<HalfSpace>(meeting.b)) {
         step.add_prescribed(meeting.b, frame, 0.2 * random.vector(), random.vector());
     } else {
         step.add_body(meeting.b, frame, speed * random.vector(), 10 * speed * random.vector());
@@ -84,11 +88,11 @@ struct Seen {
     double worst = 0;
 };
 
-Seen check(const std::string& kind, double friction, bool prescribed, bool co_rotation, std::size_t order) {
+Seen check(const std::string& kind, double friction, Second second, bool co_rotation, std::size_t order) {
     Random random(201 + order);
     Seen seen;
     for (int i = 0; i < 120; ++i) {
-        const auto step = random_step(random, kind, friction, prescribed);
+        const auto step = random_step(random, kind, friction, second);
         if (!step) {
             continue;
         }
@@ -109,7 +113,7 @@ const std::string kinds[] = {"polyhedron, half-space", "polyhedron, polyhedron",
 TEST_CASE("The residual's Jacobian agrees with differences without friction", "[dynamics]") {
     for (const std::string& kind : kinds) {
         INFO(kind);
-        const Seen seen = check(kind, 0, false, true, 1);
+        const Seen seen = check(kind, 0, Second::free, true, 1);
         CHECK(seen.slip > 20);
         CHECK(seen.worst < differences);
     }
@@ -120,10 +124,10 @@ TEST_CASE("The residual's Jacobian agrees with differences in stick and in slip,
     for (const std::string& kind : kinds) {
         for (const std::size_t order : {1, 2}) {
             INFO(kind << ", order " << order);
-            const Seen sticking = check(kind, 1e6, false, true, order);
+            const Seen sticking = check(kind, 1e6, Second::free, true, order);
             CHECK(sticking.stick > 20);
             CHECK(sticking.worst < differences);
-            const Seen slipping = check(kind, 0.3, false, true, order);
+            const Seen slipping = check(kind, 0.3, Second::free, true, order);
             CHECK(slipping.slip > 20);
             CHECK(slipping.worst < differences);
         }
@@ -132,10 +136,11 @@ TEST_CASE("The residual's Jacobian agrees with differences in stick and in slip,
 
 TEST_CASE("The residual's Jacobian agrees with differences against a body that moves and turns as prescribed",
           "[dynamics]") {
+    const Second second = GENERATE(Second::prescribed, Second::conveyor);
     for (const std::string& kind : kinds) {
         for (const double friction : {0.3, 1e6}) {
-            INFO(kind << ", μ = " << friction);
-            const Seen seen = check(kind, friction, true, true, 2);
+            INFO(kind << ", μ = " << friction << (second == Second::conveyor ? ", conveyor" : ""));
+            const Seen seen = check(kind, friction, second, true, 2);
             CHECK(seen.stick + seen.slip > 20);
             CHECK(seen.worst < differences);
         }
@@ -145,7 +150,7 @@ TEST_CASE("The residual's Jacobian agrees with differences against a body that m
 TEST_CASE(
     "The residual's Jacobian agrees with differences in the literal scheme, without the pair's rotation",
     "[dynamics]") {
-    const Seen seen = check("polyhedron, polyhedron", 1e6, false, false, 2);
+    const Seen seen = check("polyhedron, polyhedron", 1e6, Second::free, false, 2);
     CHECK(seen.stick > 20);
     CHECK(seen.worst < differences);
 }

@@ -120,3 +120,36 @@ TEST_CASE("A free body's file frame goes round its mass centre", "[scenes]") {
     CHECK((file.velocity + file.angular_velocity.cross(arm) - velocity).norm() < 1e-9);
     CHECK(file.pose.orientation.dot(Quat(0.5, 0.5, 0.5, 0.5)) > 0.9);  // no change of sign on the way
 }
+
+TEST_CASE("A prescribed body's file frame is exactly where its motion leads, and its mass centre goes along",
+          "[scenes]") {
+    const Folder folder;
+    write_box(folder.path() / "box.obj", turned(0.7, Vec3(1, 2, -1)));
+    SceneDescription scene = scene_in(folder.path());
+    BodyDescription& stone = scene.bodies[0];
+    stone.velocity = stone.angular_velocity = Vec3::Zero();
+    PrescribedMotion motion;
+    motion.velocity = {1, 2, 3};
+    motion.angular_velocity = {0.5, 0, -1};
+    motion.about = {1, 1, 1};
+    stone.motion = motion;
+    Simulation simulation(scene);
+    const PrescribedMotionPath path(motion, {stone.position, stone.orientation});
+    CHECK(simulation.file_motion(0).velocity == path.at(0).velocity);
+    while (simulation.tick() < simulation.times().last()) {
+        REQUIRE(simulation.advance());
+        const PathPoint point = path.at(simulation.time());
+        const FrameMotion file = simulation.file_motion(0);
+        CHECK(file.pose.position == point.pose.position);
+        CHECK(file.pose.orientation.coeffs() == point.pose.orientation.coeffs());
+        CHECK(file.velocity == point.velocity);
+        CHECK(file.angular_velocity == motion.angular_velocity);
+
+        // The world's body, in the frame of its mass centre.
+        const FrameMotion body = simulation.body_motion(0);
+        const BodyState& state = simulation.world().system().states[0];
+        CHECK((state.position - body.pose.position).norm() < 1e-13);
+        CHECK((state.momentum - body.velocity).norm() < 1e-13);
+        CHECK(std::abs(state.orientation.dot(body.pose.orientation)) == Approx(1).epsilon(1e-14));
+    }
+}

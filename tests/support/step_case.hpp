@@ -1,6 +1,8 @@
 #pragma once
 
 #include <deque>
+#include <limits>
+#include <memory>
 
 #include <scree/dynamics/step_problem.hpp>
 #include <scree/mesh/mass_properties.hpp>
@@ -10,10 +12,25 @@
 
 namespace scree::test {
 
+/// Stays at one point of a path.
+class PointPath final : public PrescribedPath {
+  public:
+    explicit PointPath(const PathPoint& point) : point_(point) {}
+    [[nodiscard]] PathPoint at(double /*time*/) const override { return point_; }
+    [[nodiscard]] double reach(double /*begin*/, double /*end*/, double /*radius*/) const override {
+        return 0;
+    }
+    [[nodiscard]] double time_scale() const override { return std::numeric_limits<double>::infinity(); }
+
+  private:
+    PathPoint point_;
+};
+
 /// A few bodies in contact, one implicit step of them, and the velocities at which to look at it.
 struct StepCase {
     System system;
-    std::deque<Shape> shapes;  ///< that the colliders point to
+    std::deque<Shape> shapes;                           ///< that the colliders point to
+    std::deque<std::unique_ptr<PrescribedPath>> paths;  ///< that the bodies point to
     PairMaterial material{1e7, 0.5, 0.5, 0.5, 2.0 / 7, true};
     double density = 2500;
     Eigen::VectorXd u;              ///< six a body
@@ -43,6 +60,14 @@ struct StepCase {
     int add_prescribed(const Shape& shape, const Pose& pose, const Vec3& velocity = Vec3::Zero(),
                        const Vec3& spin = Vec3::Zero()) {
         return add(Body{}, shape, pose, velocity, spin);
+    }
+
+    /// A body that is at a point of its path.
+    int add_on_path(const Shape& shape, const PathPoint& point) {
+        paths.push_back(std::make_unique<PointPath>(point));
+        Body body;
+        body.path = paths.back().get();
+        return add(body, shape, point.pose, point.velocity, point.spin);
     }
 
     /// A contact between two bodies' first shapes.

@@ -23,12 +23,12 @@ class Corrector {
     explicit Corrector(const SteppingOptions& options)
         : solver_(options.solver), gravity_(options.tolerances.gravity) {}
 
-    /// Advances u from its predicted value to the solution; the problem is left evaluated there. `tolerance` is
-    /// in the units of ErrorScale::norm. `stiffness` is that of the last accepted step, `patience` the steps to
-    /// come for which the functional iteration is out of question. Returns false when it does not converge: the
-    /// step must not be accepted.
+    /// Advances u from its predicted value to the solution; the problem is left evaluated there. `tolerance`
+    /// is in the units of ErrorScale::norm. `stiffness` is that of the last accepted step, `patience` the
+    /// steps to come for which the functional iteration is out of question. Returns false when it does not
+    /// converge: the step must not be accepted.
     bool solve(StepProblem& problem, const System& system, double tolerance, const Stiffness& stiffness,
-               std::size_t& patience, Eigen::VectorXd& u);
+               Persistence persistence, std::size_t& patience, Eigen::VectorXd& u);
 
     /// What was kept from earlier steps belongs to something else from here on.
     void forget() { newton_.forget(); }

@@ -15,8 +15,8 @@ struct Tolerances {
     [[nodiscard]] double sum() const { return relative + absolute; }
 
     /// What the local error of one step of a formula of this order may be. A method of order q that allows an
-    /// error ε a step makes one of ε^{q/(q+1)} a second; so a step is allowed less than the sum, by as much as
-    /// makes the error of a run proportional to the tolerance. At a sum of 10⁻³ and above it is the sum.
+    /// error ε a step makes one of ε^{q/(q+1)} a second; so a step is allowed less than the sum, by as much
+    /// as makes the error of a run proportional to the tolerance. At a sum of 10⁻³ and above it is the sum.
     [[nodiscard]] double a_step(std::size_t order) const;
 };
 

@@ -20,7 +20,7 @@ class ExplicitStepper final : public Integrator {
   private:
     /// Adds the forces of the last evaluation, over `duration` [s], to momenta.
     void kick(double duration, std::vector<BodyState>& states) const;
-    /// Moves all bodies with the velocities of `states` to `time` [s] and computes the forces there.
+    /// Moves all bodies to `time` [s] with the velocities of `states` and computes the forces there.
     void drift(double time, const std::vector<BodyState>& states);
     [[nodiscard]] bool finite(const std::vector<BodyState>& states) const;
 

@@ -16,8 +16,8 @@ struct BodyCover {
 
 struct MergedMemory;
 
-/// Bodies that may touch one another before the next meeting, with steps of their own. They live in a system of
-/// their own, which is filled from the whole at every meeting and handed back to it at the next.
+/// Bodies that may touch one another before the next meeting, with steps of their own. They live in a system
+/// of their own, which is filled from the whole at every meeting and handed back to it at the next.
 class Group {
   public:
     /// `bodies`: numbers in the whole, ascending; the dynamic ones, and the others that they may touch.
@@ -35,16 +35,20 @@ class Group {
     [[nodiscard]] const SteppingMemory& start() const { return start_; }
     /// Sets that, for a group that takes over from others.
     void begin_with(MergedMemory merged);
+    /// Bodies have other numbers, by the old ones. Returns false when one of the group's is no more.
+    bool renumber(std::span<const int> new_numbers);
     /// At the next load the method starts afresh.
     void restart() { restart_ = true; }
 
     /// Fills the system from the whole as of the last meeting, at `time` [s]; `contacts` are numbers in the
-    /// whole. A group that has arrived already with just these contacts keeps what it has.
-    void load(const System& whole, std::span<const std::size_t> contacts, double time);
-    /// Steps to `end` [s] or until it can go no farther. `demand` [m], one a body of the whole, is raised where a
-    /// body needs more reach than its cover has.
+    /// whole. A group that has arrived already with just these contacts keeps what it has; one that starts
+    /// afresh hands to the whole what its contacts hold then.
+    void load(System& whole, std::span<const std::size_t> contacts, double time);
+    /// Steps to `end` [s] or until it can go no farther. `demand` [m], one a body of the whole, is raised
+    /// where a body needs more reach than its cover has.
     StepOutcome advance(double end, std::span<const BodyCover> covers, std::span<double> demand);
     [[nodiscard]] bool arrived() const { return arrived_; }
+    [[nodiscard]] bool failed() const { return failed_; }
     [[nodiscard]] bool asleep() const { return asleep_; }
 
     /// Hands states and contact memories back: a meeting.
@@ -55,6 +59,7 @@ class Group {
     bool load_bodies(const System& whole);
     void load_contacts(const System& whole, std::span<const std::size_t> contacts);
     void shorten_memories();
+    void hand_back(System& whole) const;
     bool covered(std::span<const TrialBody> trial);
     [[nodiscard]] bool at_rest() const;
 
@@ -68,8 +73,9 @@ class Group {
     std::span<double> demand_;
     bool restart_ = true;
     bool arrived_ = false;
+    bool failed_ = false;
     bool asleep_ = false;
-    std::size_t calm_ = 0;  ///< meetings at which it was at rest, in a row
+    std::size_t calm_ = 0;      ///< meetings at which it was at rest, in a row
     std::vector<int> leaders_;  ///< bodies whose contacts keep their whole past at the next load; empty: all
 };
 
@@ -79,9 +85,9 @@ struct MergedMemory {
     const Group* leader = nullptr;  ///< whose contacts alone keep their whole past; null: all do
 };
 
-/// For a group of these bodies from the groups in which they were: the past of the one with the smallest step,
-/// and that of the others brought to its times. Without parents, or where one has no past up to the present
-/// `time`, there is none.
+/// For a group of these bodies from the groups in which they were: the past of the one with the smallest
+/// step, and that of the others brought to its times. Without parents, or where one has no past up to the
+/// present `time`, there is none.
 MergedMemory merged_memory(std::span<const Group* const> parents, const std::vector<int>& bodies,
                            const System& whole, double time);
 

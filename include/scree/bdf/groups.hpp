@@ -8,18 +8,23 @@
 
 namespace scree {
 
-/// Steps a whole system in groups of bodies that may touch one another, each with its own step and order, from
-/// one meeting to the next. At a meeting all are at the same time, and the whole system holds their states.
+/// Steps a whole system in groups of bodies that may touch one another, each with its own step and order,
+/// from one meeting to the next. At a meeting all are at the same time, and the whole system holds their
+/// states.
 ///
-/// From a meeting on: deal() the bodies out by the present contacts; advance() the groups. When a body has left its
-/// cover, enlarge that, renew the contacts, and deal and advance again: groups that nobody new has come to keep
-/// what they have done. When all have arrived, commit().
+/// From a meeting on: deal() the bodies out by the present contacts; advance() the groups. When a body has
+/// left its cover, enlarge that, renew the contacts, and deal and advance again: groups that nobody new has
+/// come to keep what they have done. When all have arrived, commit().
 class Groups {
   public:
     explicit Groups(System& whole) : whole_(whole) {}
 
-    /// How steps are made from the next deal on; all groups end. `forces` and `workers` must outlive their use.
+    /// How steps are made from the next deal on; all groups end. `forces` and `workers` must outlive their
+    /// use.
     void set(const ContactForces& forces, const SteppingOptions& options, Workers* workers);
+
+    /// Others share out the work; changes no result.
+    void set_workers(Workers* workers);
 
     /// The body was changed from outside: its group starts afresh.
     void restart(int body) { restarts_.push_back(body); }
@@ -30,13 +35,16 @@ class Groups {
 
     /// By the whole's present contacts, at the time [s] of the last meeting.
     void deal(double time);
-    /// All groups to `end` [s]. left_cover: `demand` [m], one a body, is what covers need there and 0 elsewhere.
+    /// All groups to `end` [s]. left_cover: `demand` [m], one a body, is what covers need there and 0
+    /// elsewhere.
     StepOutcome advance(double end, std::span<const BodyCover> covers, std::vector<double>& demand);
     /// A meeting: the whole gets the states and contact memories; prescribed bodies move as prescribed.
     void commit(double end);
 
-    /// What each of the whole's contacts did at the last meeting, or at the deal that started afresh.
+    /// What each of the whole's contacts did at the last meeting; empty after a failure.
     [[nodiscard]] std::span<const ContactResult> results() const { return results_; }
+    /// A group that could not go on in the last advance; null: there is none.
+    [[nodiscard]] const Group* failed() const;
     [[nodiscard]] std::size_t count() const { return groups_.size(); }
     [[nodiscard]] std::span<const std::unique_ptr<Group>> all() const { return groups_; }
 
@@ -50,14 +58,15 @@ class Groups {
     Counts take_counts() { return std::exchange(counts_, {}); }
 
   private:
+    void abandon();
     void find_parts();
     int root(int body);
     void sort_parts(std::size_t parts);
     void collect(std::size_t part);
     std::unique_ptr<Group> group_for(std::size_t part, double time);
     [[nodiscard]] std::vector<const Group*> parents_of(std::span<const int> bodies) const;
-    void move_prescribed(double step);
-    void count();
+    void move_prescribed(double end);
+    void add_counts();
 
     System& whole_;
     const ContactForces* forces_ = nullptr;

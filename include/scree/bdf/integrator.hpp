@@ -18,18 +18,19 @@ namespace scree {
 /// All that a method carries from one step to the next, besides the system's states and what its contacts
 /// remember.
 struct SteppingMemory {
-    double time = 0;              ///< [s]
-    double last_step = 0;         ///< [s], the last accepted; 0: none yet
-    double next_step = 0;         ///< [s], to be tried; 0: none yet
-    std::size_t order = 1;        ///< to be tried
-    std::size_t held = 0;         ///< accepted steps since order or step changed
-    std::size_t suspect = 0;      ///< successive steps that look unstable at their order
-    std::size_t barred = 0;       ///< accepted steps for which a higher order is out of question
-    Stiffness stiffness;          ///< of the contacts at `time`
-    std::size_t patience = 0;     ///< steps until the functional corrector may be tried again
-    StateHistory past;            ///< the present state, then earlier ones
+    double time = 0;                    ///< [s]
+    double last_step = 0;               ///< [s], the last accepted; 0: none yet
+    double next_step = 0;               ///< [s], to be tried; 0: none yet
+    std::size_t order = 1;              ///< to be tried
+    std::size_t held = 0;               ///< accepted steps since order or step changed
+    std::size_t suspect = 0;            ///< successive steps that look unstable at their order
+    std::size_t barred = 0;             ///< accepted steps for which a higher order is out of question
+    Stiffness stiffness;                ///< of the contacts at `time`
+    std::size_t patience = 0;           ///< steps until the functional corrector may be tried again
+    StateHistory past;                  ///< the present state, then earlier ones
     std::optional<Accumulated> powers;  ///< [W], where energy flows at `time`; empty: to be found anew
-    std::vector<Vec3> force, torque;    ///< [N], [N m], that a next explicit step or a first error test starts from
+    std::vector<Vec3> force,
+        torque;  ///< [N], [N m], that a next explicit step or a first error test starts from
 };
 
 /// Why `Integrator::step` has come back.
@@ -46,8 +47,8 @@ class Integrator {
     Integrator(const Integrator&) = delete;
     Integrator& operator=(const Integrator&) = delete;
 
-    /// Starts afresh from the system's present states: after any change from outside. Contacts keep their last
-    /// friction force.
+    /// Starts afresh from the system's present states: after any change from outside. Contacts keep their
+    /// last friction force.
     virtual void restart(double time) = 0;
     /// Goes on from the system's present states with what was carried that far.
     virtual void resume(const SteppingMemory& memory) = 0;
@@ -59,6 +60,9 @@ class Integrator {
 
     /// The system's contacts are others than before.
     virtual void contacts_renewed() {}
+
+    /// Others share out the contacts of one evaluation; changes no result.
+    void set_workers(Workers* workers) { problem_.set_workers(workers); }
 
     /// Asked with the bodies of a step that is about to be accepted: whether the contacts are complete there.
     using Covered = std::function<bool(std::span<const TrialBody>)>;
@@ -78,11 +82,14 @@ class Integrator {
     Integrator(System& system, const ContactForces& forces, const SteppingOptions& options, Workers* workers)
         : system_(system), options_(options), problem_(system, forces, workers) {}
 
-    /// Evaluates the problem at the system's present states, with u the velocities there.
-    void evaluate_present(Eigen::VectorXd& u);
-    /// Makes `states` and the trial contact records of the problem history, and adds the step to the flows, by
-    /// the trapezoidal rule: exact to second order whatever the order of the step.
+    /// Evaluates the problem at the system's present states, with u the velocities there, or where these lead
+    /// in a `moment` [s].
+    void evaluate_present(Eigen::VectorXd& u, double moment = 0);
+    /// Makes `states` and the trial contact records of the problem history, and adds the step to the flows,
+    /// by the trapezoidal rule: exact to second order whatever the order of the step.
     void accept(double time, std::size_t order, std::vector<BodyState>& states);
+    /// What the contacts hold at the last evaluation.
+    void remember_energies();
 
     System& system_;
     SteppingOptions options_;

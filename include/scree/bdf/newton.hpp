@@ -6,8 +6,8 @@
 
 namespace scree {
 
-/// Share of the tolerance that a solved step's equations may be off: a friction force that lags must not add up
-/// to a creep.
+/// Share of the tolerance that a solved step's equations may be off: a friction force that lags must not add
+/// up to a creep.
 constexpr double solved_share = 1e-3;
 
 /// The largest over the dynamic bodies of the residual as the velocities that it leaves unexplained, in the
@@ -18,16 +18,22 @@ double defect_norm(const StepProblem& problem, std::span<const Body> bodies, dou
 /// Whether a change of u moves the bodies by no more than the rounding of their positions.
 bool at_rounding(const StepProblem& problem, std::span<const Body> bodies, const Eigen::VectorXd& change);
 
+/// How much work a step is worth.
+enum class Persistence {
+    brief,     ///< give up early: a smaller step is easier
+    thorough,  ///< do all that can be done
+};
+
 /// Solves the equations of one implicit step by Newton's method with a kept factorisation, a search along the
 /// direction for the zero of R·du when full steps do not converge, and continuation in the capped tangential
 /// stiffness when that fails too.
 class Newton {
   public:
     /// Advances u from its predicted value to the solution; the problem is left evaluated there. `tolerance`
-    /// is in the units of ErrorScale::norm. Returns false, u being what it was, when it does not converge: the
-    /// step must not be accepted.
+    /// is in the units of ErrorScale::norm. Returns false, u being what it was, when it does not converge:
+    /// the step must not be accepted.
     bool solve(StepProblem& problem, std::span<const Body> bodies, double gravity, double tolerance,
-               Eigen::VectorXd& u);
+               Persistence persistence, Eigen::VectorXd& u);
 
     /// The kept factorisation belongs to something else from here on.
     void forget() { factorized_ = false; }
@@ -47,6 +53,7 @@ class Newton {
     double search(StepProblem& problem, const Eigen::VectorXd& u, const Eigen::VectorXd& direction);
 
     NewtonStatistics statistics_;
+    Persistence persistence_ = Persistence::thorough;
     std::size_t effort_ = 0;
     bool factorized_ = false;
     double factorized_beta_h_ = 0;

@@ -10,7 +10,7 @@ enum class Method { bdf, symplectic_euler, velocity_verlet };
 
 /// How the equations of an implicit step are solved.
 enum class Solver {
-    automatic,    ///< by iteration where an estimate of the stiffness says that it converges, else by Newton
+    automatic,  ///< by iteration where an estimate of the stiffness says that it converges, else by Newton
     newton,
     fixed_point,  ///< the functional corrector alone; a step that it cannot solve is made smaller
 };

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <limits>
 
-#include <scree/contact/history.hpp>
+#include <scree/dynamics/trial.hpp>
 
 namespace scree {
 
@@ -38,6 +38,8 @@ struct SteppingStatistics {
     double solve_time = 0;     ///< [s] in factorising and solving
 
     SteppingStatistics& add(const SteppingStatistics& other);
+    /// The costs alone, of steps that were not kept.
+    [[nodiscard]] SteppingStatistics without_steps() const;
 };
 
 }  // namespace scree

@@ -22,6 +22,8 @@ struct ContactHistory {
     std::array<FrictionRecord, highest_order> past;  ///< the latest first
     std::size_t age = 0;                             ///< accepted steps in contact, as far as they are kept
     bool centre_line = false;                        ///< the normal was the line of centres
+    double normal_energy = 0;                        ///< stored [J], where the law has a potential
+    double tangential_energy = 0;                    ///< stored [J]
 
     /// An accepted step in contact.
     void push(const FrictionRecord& record) {
@@ -37,6 +39,7 @@ struct ContactHistory {
     void clear() {
         age = 0;
         centre_line = false;
+        normal_energy = tangential_energy = 0;
     }
 };
 

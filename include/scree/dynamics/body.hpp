@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include <scree/mesh/pose.hpp>
+#include <scree/dynamics/prescribed_path.hpp>
 
 namespace scree {
 
@@ -14,6 +14,9 @@ struct Body {
     Vec3 weight = Vec3::Zero();                             ///< [N]; world axes
     Vec3 force = Vec3::Zero();   ///< [N] from outside besides the weight, held for a tick; world axes
     Vec3 torque = Vec3::Zero();  ///< [N m] from outside, about the mass centre; world axes
+    /// Of a body of infinite mass; null: straight on and turning steadily, by the velocities of its state.
+    /// Kept alive by the owner of the body.
+    const PrescribedPath* path = nullptr;
 
     [[nodiscard]] bool dynamic() const { return mass < std::numeric_limits<double>::infinity(); }
 };

@@ -67,11 +67,14 @@ class ForcesOf final : public ContactForces {
         if (!result.touching) {
             return;
         }
-        const RelativeMotion motion = relative_motion(a, b, arms);
-        const MotionRates* rates = nullptr;
+        RelativeMotion motion = relative_motion(a, b, arms);
+        MotionRates* rates = nullptr;
         if (detail == Detail::derivative) {
             motion_rates(geometry, motion, a, b, arms, formulas.beta_h, workspace.rates);
             rates = &workspace.rates;
+        }
+        if (const Vec3 surface = a.surface_velocity - b.surface_velocity; surface != Vec3::Zero()) {
+            add_surface_motion(surface, geometry.normal, motion, rates);
         }
         const FrictionStep step{formulas.friction(contact.history.age), a.turns, b.turns,
                                 formulas.friction_cap};

@@ -17,7 +17,7 @@ struct Accumulated {
 
 /// What has gone through a system over some time.
 struct Flows {
-    Accumulated energy;                  ///< [J]
+    Accumulated energy;                 ///< [J]
     Vec3 momentum_gain = Vec3::Zero();  ///< gained without an impulse from outside [kg m/s]
 };
 
@@ -44,19 +44,17 @@ struct EnergyLedger {
     [[nodiscard]] double held() const { return kinetic + gravity + normal_elastic + tangential_elastic; }
 };
 
-/// The ledger at the system's present states and the problem's last evaluation; `start` is held() at the
-/// start.
-EnergyLedger energy_ledger(const System& system, std::span<const ContactResult> results,
-                           const Accumulated& sums, double start);
+/// The ledger at the system's present states and what its contacts hold; `start` is held() at the start.
+EnergyLedger energy_ledger(const System& system, const Accumulated& sums, double start);
 
 /// Keeps the ledger of a system whose flows are handed in from time to time.
 class EnergyAccount {
   public:
-    /// At the start, and after changes from outside, with what the contacts do now: what the bodies and contacts
-    /// hold more than when last settled counts as work from outside.
-    void open(const System& system, std::span<const ContactResult> results);
-    /// After steps: what has flowed in them, and what the contacts do now.
-    void settle(const System& system, std::span<const ContactResult> results, const Flows& flows);
+    /// At the start, and after changes from outside: what the bodies and contacts hold more than when last
+    /// settled counts as work from outside.
+    void open(const System& system);
+    /// After steps, and what has flowed in them.
+    void settle(const System& system, const Flows& flows);
 
     [[nodiscard]] const EnergyLedger& ledger() const { return ledger_; }
     [[nodiscard]] const Vec3& momentum_residual() const { return momentum_gain_; }

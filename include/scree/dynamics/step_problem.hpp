@@ -16,6 +16,9 @@ struct System {
     std::vector<Contact> contacts;  ///< sorted by body, then by part
 };
 
+/// The least time scale [s] of the paths that the system's contacts may meet; infinite without any.
+double path_time_scale(const System& system);
+
 /// The nonlinear equations of one implicit step, p(v) − p_start − βh F = 0 and L(ω) − L_start − βh T = 0, in
 /// the new velocities u, six numbers (v, ω) a body; positions, orientations and friction follow from them.
 class StepProblem {
@@ -23,6 +26,8 @@ class StepProblem {
     /// `workers` share out the contacts of one evaluation when there are many; null: nobody does.
     StepProblem(const System& system, const ContactForces& forces, Workers* workers = nullptr)
         : system_(system), forces_(forces), workers_(workers) {}
+
+    void set_workers(Workers* workers) { workers_ = workers; }
 
     /// The formulas of this step and what the past contributes, one start a body.
     void begin(const StepFormulas& formulas, std::vector<BodyStart>& starts);
@@ -44,7 +49,8 @@ class StepProblem {
     bool factorize();
     /// x := J⁻¹ x with the last factorisation.
     void solve(Eigen::VectorXd& x);
-    /// x := M⁻¹ x with the inertia at the last evaluation, the equations' derivative but for the forces' part.
+    /// x := M⁻¹ x with the inertia at the last evaluation, the equations' derivative but for the forces'
+    /// part.
     void solve_inertia(Eigen::VectorXd& x) const;
 
     /// The bodies' states at the last evaluation. A body that nothing touches takes its momenta from the

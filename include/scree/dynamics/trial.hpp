@@ -14,6 +14,7 @@ struct TrialBody {
     Pose pose;                              ///< of the body frame
     Vec3 velocity = Vec3::Zero();           ///< of the mass centre [m/s]
     Vec3 spin = Vec3::Zero();               ///< ω [rad/s], world axes
+    Vec3 surface_velocity = Vec3::Zero();   ///< [m/s], of its surface against the body, as a conveyor has it
     Mat3 turn_rate = Mat3::Zero();          ///< turn of the body [rad] per change of ω
     std::array<Quat, highest_order> turns;  ///< its turn since each past time, the latest first
 };
@@ -30,7 +31,7 @@ struct BodyStart {
 /// The linear formulas of one trial step.
 struct StepFormulas {
     std::size_t order = 1;
-    double time = 0;                                                      ///< [s], at the end of the step
+    double time = 0;                                                      ///< [s], at the step's end
     double step = 0;                                                      ///< [s]
     double beta_h = 0;                                                    ///< [s], of the bodies' formula
     std::array<std::array<double, highest_order>, highest_order> past{};  ///< [order − 1][j]
@@ -48,5 +49,12 @@ void place(const BodyStart& start, const StepFormulas& formulas, TrialBody& body
 /// Of a prescribed body: from its last pose straight on and turning steadily, whatever it did before.
 void place_prescribed(const BodyState& last, const BodyStart& start, const StepFormulas& formulas,
                       TrialBody& body);
+
+/// Moves a prescribed body without a path for a time [s]: straight on and turning steadily.
+void advance_prescribed(double step, BodyState& state);
+
+/// Of a body that follows a path: where that is at the step's end.
+void place_on_path(const PrescribedPath& path, const BodyStart& start, const StepFormulas& formulas,
+                   TrialBody& body);
 
 }  // namespace scree

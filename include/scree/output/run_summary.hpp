@@ -23,8 +23,9 @@ struct RunSummary {
     struct Times {
         double wall = 0;
         double detection = 0;
-        std::optional<double> contacts, jacobian, solve;  ///< not measured where they have no value
-        double stepping = 0;                              ///< the three of them together
+        double contacts = 0;  ///< evaluated without derivatives
+        double jacobian = 0;  ///< contacts evaluated with derivatives, and the assembly
+        double solve = 0;     ///< factorisations and their use
         double output = 0;
     } time;
 

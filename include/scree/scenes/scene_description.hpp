@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <scree/contact/material.hpp>
+#include <scree/dynamics/prescribed_motion.hpp>
 #include <scree/overlap/shape.hpp>
 #include <scree/scenes/scene_options.hpp>
 
@@ -51,17 +52,9 @@ struct BoxShape {
 
 using ShapeDescription = std::variant<MeshShape, BoxShape, Sphere, HalfSpace>;
 
-/// A motion that forces do not change. All in world axes.
-struct PrescribedMotion {
-    Vec3 velocity = Vec3::Zero();          ///< [m/s]
-    Vec3 angular_velocity = Vec3::Zero();  ///< [rad/s]
-    Vec3 about = Vec3::Zero();             ///< [m], a point of the axis of turning
-    double amplitude = 0;                  ///< [m], of a vibration along the velocity's direction
-    double frequency = 0;                  ///< [1/s]
-    Vec3 surface_velocity = Vec3::Zero();  ///< [m/s], of a conveyor's surface
-};
 struct DynamicMotion {};
 struct FixedMotion {};
+/// Or a motion that forces do not change, of the shape's own frame.
 using MotionDescription = std::variant<DynamicMotion, FixedMotion, PrescribedMotion>;
 
 /// Position, orientation and velocities are those of the shape's own frame (of the file's, for a mesh).
@@ -71,8 +64,8 @@ struct BodyDescription {
     std::string material;
     Vec3 position = Vec3::Zero();          ///< [m]
     Quat orientation = Quat::Identity();   ///< unit
-    Vec3 velocity = Vec3::Zero();          ///< [m/s], of the frame's origin
-    Vec3 angular_velocity = Vec3::Zero();  ///< [rad/s], world axes
+    Vec3 velocity = Vec3::Zero();          ///< [m/s], of the frame's origin; of dynamic bodies only
+    Vec3 angular_velocity = Vec3::Zero();  ///< [rad/s], world axes; likewise
     MotionDescription motion;
 };
 

@@ -19,9 +19,12 @@ struct SimulationBody {
     std::string material;
     Solid solid;
     FrameMotion start;  ///< of the file's frame, at time 0, as the scene has it
-    bool fixed = false;
+    MotionDescription motion;
+    std::unique_ptr<const PrescribedPath> file_path;  ///< of the file's frame; null: not prescribed
     std::unique_ptr<btRigidBody> rigid;
     bool mirrored = false;  ///< the world holds the negative, equal quaternion
+
+    [[nodiscard]] bool dynamic() const { return std::holds_alternative<DynamicMotion>(motion); }
 };
 
 /// A scene in a world, run from one output time to the next.

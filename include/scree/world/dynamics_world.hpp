@@ -35,6 +35,10 @@ class DynamicsWorld : public btDiscreteDynamicsWorld {
     /// among the tolerances is the world's own. Throws std::invalid_argument for options that no method has.
     void set_stepping(const SteppingOptions& options);
 
+    /// How many threads share out the work; 1 at first. The results are the same bytes for any number. Throws
+    /// std::invalid_argument for 0.
+    void set_threads(std::size_t threads);
+
     /// What a body is made of, until it is removed. A body without one gets what its Bullet friction,
     /// restitution and mass suggest; see automatic_material.hpp.
     void set_material(const btRigidBody& body, const Material& material);
@@ -45,6 +49,11 @@ class DynamicsWorld : public btDiscreteDynamicsWorld {
     using Mixing =
         std::function<PairMaterial(const btRigidBody&, const Material&, const btRigidBody&, const Material&)>;
     void set_mixing(Mixing mixing);
+
+    /// From the next tick on a body moves along a path, whatever forces and Bullet say; its pose and
+    /// velocities are handed to Bullet at the end of each tick. The path's time is step_report().time. Null:
+    /// as Bullet has it again. Throws std::invalid_argument for a body that is not in this world.
+    void set_path(const btRigidBody& body, std::shared_ptr<const PrescribedPath> path);
 
     /// Replaces the contact law by any type that models scree::ContactLaw.
     template <ContactLaw Law>

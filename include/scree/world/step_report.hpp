@@ -2,14 +2,15 @@
 
 #include <string>
 
-#include <scree/bdf/integrator.hpp>
+#include <scree/bdf/statistics.hpp>
+#include <scree/dynamics/energy.hpp>
 
 namespace scree {
 
 /// Wall time [s] by stage.
 struct StageTimes {
     double detection = 0;  ///< bounds, broadphase, pair list
-    double stepping = 0;   ///< everything within the steps, but for pairs found anew
+    double stepping = 0;   ///< everything else in a tick between reading and writing the bodies
 };
 
 /// What a world's ticks have done since it was made.
@@ -18,9 +19,9 @@ struct StepReport {
     std::string message;  ///< why
     double time = 0;      ///< [s] simulated
     std::size_t ticks = 0;
+    /// Of the group with the most steps between each two meetings of all: how many the run needs.
     SteppingStatistics steps;
-    NewtonStatistics newton;
-    std::size_t contact_evaluations = 0;
+    SteppingStatistics all_steps;  ///< of all groups together: what they cost
     std::size_t pair_searches = 0;
     std::size_t contacts = 0;       ///< touching now
     std::size_t most_contacts = 0;  ///< at the end of a tick
@@ -29,11 +30,5 @@ struct StepReport {
     Vec3 momentum_residual = Vec3::Zero();  ///< momentum less the impulse received [kg m/s]
     StageTimes times;
 };
-
-/// Adds what one integrator has done to what others did before it.
-void add(SteppingStatistics& sum, const SteppingStatistics& part);
-void add(NewtonStatistics& sum, const NewtonStatistics& part);
-/// Of a ledger, only what was lost, applied or left unexplained.
-void add_flows(EnergyLedger& sum, const EnergyLedger& part);
 
 }  // namespace scree

@@ -6,8 +6,8 @@ namespace scree {
 
 /// The longest step [s], at most `step`, after which no two bodies that do not touch yet can have come deeper
 /// into one another than a twentieth of the thinner one's width: (gap + 0.05 w)/closing speed, spin included.
-/// It is never less than a twentieth of the stiffest period of the contact to come, where that is no more than
-/// half the width away.
+/// It is never less than a twentieth of the stiffest period of the contact to come, where that is no more
+/// than half the width away.
 double touch_limit(const System& system, double step);
 
 }  // namespace scree
