@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include <tests/scenes/small_scene.hpp>
+#include <tests/support/bad_meshes.hpp>
 
 #include "child.hpp"
 
@@ -192,4 +193,16 @@ TEST_CASE("A mesh is described in JSON", "[cli]") {
     CHECK(mesh.at("convex") == true);
     CHECK(mesh.at("hull_volume") == 8);
     CHECK(mesh.at("inertia")[2][2] == Approx(8 * 4 / 6.0));
+}
+
+TEST_CASE("Bad meshes are refused by one line, and nothing is written", "[cli]") {
+    const Folder folder;
+    const MeshFiles files;
+    for (const auto& [file, message] : bad_meshes(files)) {
+        check_refused(folder, {"mesh", file.string()}, message);
+        const std::string shape = "shapes.s={\"mesh\": \"" + file.string() + "\"}";
+        const std::string scene = folder.write("small.json", small_scene);
+        check_refused(folder, {"run", scene, "--out", folder / "out", "--set", shape}, message);
+        CHECK_FALSE(fs::exists(folder / "out"));
+    }
 }
