@@ -15,7 +15,7 @@ std::vector<BodyRecord> body_records(const Simulation& simulation) {
 }
 
 RunSummary summary_of(const Simulation& simulation) {
-    const StepReport& report = simulation.world().step_report();
+    const StepReport& report = simulation.report();
     const SteppingStatistics& steps = report.steps;
     const Features features = scene_features(simulation.scene());
     RunSummary summary;

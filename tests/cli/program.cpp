@@ -79,10 +79,37 @@ TEST_CASE("The explicit methods run the same scene", "[cli]") {
     }
 }
 
+TEST_CASE("Bullet's own solver runs the same scene, with the same files", "[cli]") {
+    const Folder folder;
+    const std::string scene = folder.write("small.json", small_scene);
+    errors_of(folder, {"run", scene, "--out", folder / "scree", "--quiet"}, 0);
+    errors_of(folder,
+              {"run", scene, "--out", folder / "bullet", "--quiet", "--set", "stepping.method=bullet",
+               "--set", "output.contacts=true"},
+              0);
+    const json own = summary_in(folder / "scree");
+    const json other = summary_in(folder / "bullet");
+    for (const auto& [key, value] : own.items()) {
+        CAPTURE(key);
+        CHECK(other.contains(key));
+    }
+    CHECK(other.at("reached") == 0.1);
+    CHECK(other.at("energy").size() == own.at("energy").size());
+    const auto rows = [&](const std::string& file) {
+        const std::string table = text_of(folder / file);
+        return std::count(table.begin(), table.end(), '\n');
+    };
+    CHECK(rows("bullet/bodies.csv") == rows("scree/bodies.csv"));
+    CHECK(rows("bullet/energy.csv") == rows("scree/energy.csv"));
+    CHECK_THAT(text_of(folder / "bullet/contacts.csv"), Catch::Contains("\n0.1,ground,block,"));
+}
+
 TEST_CASE("The same scene gives the same bytes", "[cli]") {
     const Folder folder;
     const std::string scene = folder.write("small.json", small_scene);
-    const std::vector<std::string> settings = {"--set", "bodies.1.velocity=[1,0.5,0]", "--quiet"};
+    const std::string method = GENERATE("bdf", "bullet");
+    const std::vector<std::string> settings = {"--set", "bodies.1.velocity=[1,0.5,0]", "--quiet", "--set",
+                                               "stepping.method=" + method};
     for (const char* out : {"first", "second"}) {
         std::vector<std::string> words = {"run", scene, "--out", folder / out};
         words.insert(words.end(), settings.begin(), settings.end());

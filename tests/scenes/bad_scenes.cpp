@@ -173,7 +173,6 @@ const BadSetting absent_settings[] = {
     {"materials.rock.cohesion=1", "materials.rock.cohesion: found 1, which is not in this build"},
     {"shapes.s={\"mesh\":\"a.obj\",\"parts\":\"decompose\"}",
      "shapes.s.parts: found \"decompose\", which is"},
-    {"stepping.method=bullet", "stepping.method: found \"bullet\", which is not in this build"},
     {"output.replay=true", "output.replay: found true, which is not in this build"},
     {"stepping.solver=fixed_point", "stepping.solver: found \"fixed_point\", which is not in this build"},
     {"output.vtk=true", "output.vtk: found true, which is not in this build"},
