@@ -6,7 +6,6 @@
 
 #include <scree/detect/convert.hpp>
 #include <scree/mesh/mass_properties.hpp>
-#include <scree/world/automatic_material.hpp>
 
 #include "materials.hpp"
 
@@ -16,11 +15,6 @@ namespace {
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-/// ζ at a face of area Lc², at most 1: damping ratios above take no more of the speed away.
-double restitution_of(const PairMaterial& pair) {
-    return restitution(std::min(1.0, pair.normal_damping / normal_damping(1)));
 }
 
 }  // namespace
@@ -133,7 +127,7 @@ BulletEngine::PairNumbers BulletEngine::pair_numbers(const Member& a, const Memb
     if (is_new) {
         const PairMaterial pair = pair_material(scene_, *a.material, *b.material);
         const bool rough = scene_.law.friction != FrictionLaw::none;
-        place->second = {rough ? pair.friction : 0, restitution_of(pair)};
+        place->second = {rough ? pair.friction : 0, pair_restitution(pair)};
     }
     return place->second;
 }

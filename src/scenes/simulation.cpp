@@ -91,13 +91,13 @@ Simulation::Simulation(const SceneDescription& scene)
 Simulation::~Simulation() = default;
 
 void Simulation::make_bodies() {
-    const std::map<std::string, Solid> solids = make_solids(scene_);
-    notes_ = notes_of(solids);
+    solids_ = make_solids(scene_);
+    notes_ = notes_of(solids_);
     const std::vector<std::string> names = body_names(scene_);
-    bodies_ = listed_bodies(scene_, solids);
+    bodies_ = listed_bodies(scene_, solids_);
     const std::size_t listed = bodies_.size();
     bodies_.resize(names.size());
-    fill_boxes(scene_, solids, bodies_, listed);
+    fill_boxes(scene_, solids_, bodies_, listed);
     engine_ = make_engine(scene_);
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
         bodies_[i].name = names[i];

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <memory>
 #include <span>
 #include <string>
@@ -53,6 +54,8 @@ class Simulation {
 
     /// In scene order, those of `fill` after those of `bodies`.
     [[nodiscard]] const std::vector<SimulationBody>& bodies() const { return bodies_; }
+    /// The scene's shapes, by name.
+    [[nodiscard]] const std::map<std::string, Solid>& solids() const { return solids_; }
     /// What the user should know of how the scene was understood, a line each.
     [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
 
@@ -76,6 +79,7 @@ class Simulation {
     SceneDescription scene_;
     OutputTimes times_;
     std::int64_t tick_ = 0;
+    std::map<std::string, Solid> solids_;
     std::vector<std::string> notes_;
     std::vector<SimulationBody> bodies_;
     std::unique_ptr<Engine> engine_;
