@@ -7,6 +7,7 @@
 
 #include <tests/scenes/small_scene.hpp>
 #include <tests/support/bad_meshes.hpp>
+#include <tests/support/bad_scenes.hpp>
 
 #include "child.hpp"
 
@@ -232,4 +233,19 @@ TEST_CASE("Bad meshes are refused by one line, and nothing is written", "[cli]")
         check_refused(folder, {"run", scene, "--out", folder / "out", "--set", shape}, message);
         CHECK_FALSE(fs::exists(folder / "out"));
     }
+}
+
+TEST_CASE("Every bad scene is refused by one line, and nothing is written", "[cli]") {
+    const Folder folder;
+    for (const auto& scenes : {bad_texts(), bad_values(), absent_values()}) {
+        for (const BadScene& bad : scenes) {
+            std::vector<std::string> words = {"run", folder.write("small.json", bad.text), "--out",
+                                              folder / "out"};
+            if (!bad.setting.empty()) {
+                words.insert(words.end(), {"--set", bad.setting});
+            }
+            check_refused(folder, words, bad.message);
+        }
+    }
+    CHECK_FALSE(fs::exists(folder / "out"));
 }
