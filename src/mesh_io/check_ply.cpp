@@ -6,6 +6,7 @@
 #include <scree/mesh_io/load_mesh.hpp>
 
 #include "ply_header.hpp"
+#include "shown.hpp"
 
 namespace scree {
 
@@ -84,8 +85,8 @@ void check_ply(const std::filesystem::path& file) {
     Walk walk(stream, std::filesystem::file_size(file) - begin, header.format);
     for (const PlyElement& element : header.elements) {
         if (!walk.pass(element)) {
-            throw MeshError(file.string() + ": found a file that ends within its element " + element.name +
-                            ", expected all " + std::to_string(element.count));
+            throw MeshError(file.string() + ": found a file that ends within its element " +
+                            shown(element.name) + ", expected all " + std::to_string(element.count));
         }
     }
 }

@@ -8,6 +8,8 @@
 
 #include <scree/mesh_io/load_mesh.hpp>
 
+#include "shown.hpp"
+
 namespace scree {
 
 namespace {
@@ -57,12 +59,12 @@ void check_collada_asset(const std::filesystem::path& file) {
     const std::string_view unit = between(asset, "<unit", ">");
     const std::string_view metres = attribute(unit, "meter");
     if (unit.find("meter") != std::string_view::npos && !is_length(metres)) {
-        throw MeshError(file.string() + ": found the unit \"" + std::string(metres.substr(0, 40)) +
+        throw MeshError(file.string() + ": found the unit \"" + shown(metres) +
                         "\", expected its length in metres, above 0");
     }
     const std::string_view axis = trimmed(between(asset, "<up_axis>", "<"));
     if (!axis.empty() && axis != "X_UP" && axis != "Y_UP" && axis != "Z_UP") {
-        throw MeshError(file.string() + ": found the upward axis \"" + std::string(axis.substr(0, 40)) +
+        throw MeshError(file.string() + ": found the upward axis \"" + shown(axis) +
                         "\", expected X_UP, Y_UP or Z_UP");
     }
 }

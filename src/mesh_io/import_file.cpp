@@ -1,6 +1,5 @@
 #include "import_file.hpp"
 
-#include <algorithm>
 #include <exception>
 #include <stdexcept>
 #include <string>
@@ -14,6 +13,7 @@
 #include "check_ply.hpp"
 #include "collada_asset.hpp"
 #include "guarded_files.hpp"
+#include "shown.hpp"
 
 // Debian builds assimp with its assertions on. They end the program, where a damaged file should end in an
 // error, so this definition takes the place of assimp's. The importer catches what it throws.
@@ -34,13 +34,11 @@ namespace {
 // We triangulate ourselves: assimp's own step aborts the program on faces without corners.
 constexpr unsigned no_processing = 0;
 
-/// One line of bearable length, without the full stop at its end.
+/// One line, without the full stop at its end.
 std::string sentence(std::string_view text) {
     constexpr std::size_t longest = 200;
-    std::string line(text.substr(0, std::min(text.find('\n'), longest)));
-    std::replace_if(
-        line.begin(), line.end(), [](unsigned char c) { return c < ' '; }, ' ');
-    while (!line.empty() && (line.back() == '.' || line.back() == ' ' || line.back() == '\r')) {
+    std::string line = shown(text, longest);
+    while (!line.empty() && (line.back() == '.' || line.back() == ' ')) {
         line.pop_back();
     }
     return line.empty() ? "no reason given" : line;

@@ -6,6 +6,8 @@
 
 #include <scree/mesh_io/load_mesh.hpp>
 
+#include "shown.hpp"
+
 namespace scree {
 
 namespace {
@@ -29,7 +31,7 @@ PlyElement element(std::istringstream& words, const std::string& line, const std
     double count = 0;
     const std::uint64_t bytes = std::filesystem::file_size(file);
     if (words >> read.name >> count && !(count >= 0 && count <= static_cast<double>(bytes))) {
-        throw MeshError(file.string() + ": found a header that announces " + line.substr(8) +
+        throw MeshError(file.string() + ": found a header that announces " + shown(line.substr(8)) +
                         ", expected no more than the file's " + std::to_string(bytes) + " bytes hold");
     }
     read.count = static_cast<std::uint64_t>(count);
@@ -57,7 +59,7 @@ PlyFormat format(const std::string& word, const std::filesystem::path& file) {
             return format;
         }
     }
-    throw MeshError(file.string() + ": found the format \"" + word.substr(0, 40) +
+    throw MeshError(file.string() + ": found the format \"" + shown(word) +
                     "\", expected ascii, binary_little_endian or binary_big_endian");
 }
 

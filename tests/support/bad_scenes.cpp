@@ -215,6 +215,14 @@ constexpr BadSetting bad_settings[] = {
     {"end_time=null", "end_time: found null, expected a number"},
     {"output=[]", "output: found [], expected an object"},
     {"output.every=\"0.1\"", "output.every: found \"0.1\", expected a number"},
+    // Runs that would never end.
+    {"stepping.step=1e-14", "stepping.step: found more than 1e12 steps to make, expected a longer step"},
+    {"bodies.1.angular_velocity=[0,1e30,0]",
+     "bodies.1.angular_velocity: found more than 1e12 radians to turn, expected a slower turn"},
+    {"bodies.1.motion={\"angular_velocity\":[0,0,1e14]}",
+     "bodies.1.motion.angular_velocity: found more than 1e12 radians to turn, expected a slower turn"},
+    {"bodies.1.motion={\"velocity\":[0,0,1],\"amplitude\":1,\"frequency\":1e14}",
+     "bodies.1.motion.frequency: found more than 1e12 periods, expected a slower vibration"},
     // Settings themselves.
     {"end_time", "--set \"end_time\": found no key and value, expected KEY=VALUE"},
     {"=3", "--set \"=3\": found no key and value, expected KEY=VALUE"},
