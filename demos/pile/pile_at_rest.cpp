@@ -82,7 +82,7 @@ int main(int argc, char** argv) try {
         if (simulation.tick() % tenth != 0) {
             continue;
         }
-        const scree::StepReport& report = simulation.world().step_report();
+        const scree::StepReport& report = simulation.report();
         const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         std::printf("%8.2f %8zu %10zu %12.2f %14.2e %12.1f\n", simulation.time(), report.steps.accepted,
                     report.contacts,
@@ -93,7 +93,7 @@ int main(int argc, char** argv) try {
         steps = report.steps.accepted;
         iterations = report.steps.newton.iterations;
     }
-    const scree::StepReport& report = simulation.world().step_report();
+    const scree::StepReport& report = simulation.report();
     const double speed = fastest(simulation);
     const double balance = imbalance(simulation.world());
     const double beyond = outside(simulation);

@@ -14,6 +14,8 @@ namespace {
 using namespace scree;
 
 constexpr int most_threads = 1024;
+constexpr double largest_number = 1e30;   // as in a scene
+constexpr double smallest_scale = 1e-30;  // likewise
 
 /// Exactly one line, whatever a name or a library put into the text.
 int report_error(std::string text, int status) {
@@ -61,14 +63,16 @@ class CommandLine {
         return "found " + found + ", expected one of " + names;
     }
 
-    static CLI::Validator seconds() {
-        return {[](const std::string& text) {
+    /// A plain number from `least` to what a scene may have at most.
+    static CLI::Validator number(double least, const std::string& name, const std::string& expected) {
+        return {[least, expected](const std::string& text) {
                     double value = 0;
                     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
                     const bool whole = error == std::errc() && end == text.data() + text.size();
-                    return whole && value >= 0 ? "" : "found " + text + ", expected seconds, not below 0";
+                    const bool good = whole && value >= least && value <= largest_number;
+                    return good ? "" : "found " + text + ", expected " + expected;
                 },
-                "SECONDS"};
+                name};
     }
 
     CLI::App* add(const char* name, const char* purpose, std::function<int()> command) {
@@ -91,7 +95,7 @@ class CommandLine {
         add_scene(*sub);
         sub->add_option("--out", run_.out, "The folder to write to (out/<scene name>)");
         sub->add_option("--until", run_.until, "Stop at the last output time up to this one [s]")
-            ->check(seconds());
+            ->check(number(0, "SECONDS", "seconds, not below 0"));
         sub->add_option("--threads", run_.threads, "Threads to use")->check(CLI::Range(1, most_threads));
     }
 
@@ -106,7 +110,8 @@ class CommandLine {
             return mesh_command(mesh_);
         });
         sub->add_option("FILE", mesh_.file, "A mesh file")->required();
-        sub->add_option("--scale", mesh_.scale, "Multiply all lengths");
+        sub->add_option("--scale", mesh_.scale, "Multiply all lengths")
+            ->check(number(smallest_scale, "FACTOR", "a number above 0"));
         sub->add_flag("--json", mesh_.json, "Print JSON");
     }
 

@@ -43,7 +43,7 @@ void Progress::show() {
         return;
     }
     last_ = now;
-    const StepReport& report = simulation_.world().step_report();
+    const StepReport& report = simulation_.report();
     const double steps = static_cast<double>(report.steps.accepted - before_.accepted);
     const double step = steps > 0 ? (report.steps.time_stepped - before_.time_stepped) / steps : 0;
     std::fprintf(stderr, "%s%s  %.4g of %.4g s  step %.2g s  order %zu  contacts %zu  %.0f s left",

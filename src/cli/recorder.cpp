@@ -10,10 +10,10 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-std::vector<std::string> names_by_number(const Simulation& simulation) {
-    std::vector<std::string> names(simulation.bodies().size());
+std::vector<std::string> names_of(const Simulation& simulation) {
+    std::vector<std::string> names;
     for (const SimulationBody& body : simulation.bodies()) {
-        names[static_cast<std::size_t>(simulation.world().body_number(*body.rigid))] = body.name;
+        names.push_back(body.name);
     }
     return names;
 }
@@ -31,7 +31,7 @@ Recorder::Recorder(const Simulation& simulation, const std::filesystem::path& fo
     }
     if (wanted.contacts) {
         contacts_.emplace(folder_.file("contacts.csv"));
-        names_ = names_by_number(simulation);
+        names_ = names_of(simulation);
     }
 }
 
@@ -40,12 +40,11 @@ void Recorder::record() {
     if (bodies_) {
         bodies_->write(simulation_.time(), body_records(simulation_));
     }
-    const DynamicsWorld& world = simulation_.world();
     if (energy_ && simulation_.tick() > 0) {
-        energy_->write(simulation_.time(), world.step_report().energy);
+        energy_->write(simulation_.time(), simulation_.report().energy);
     }
     if (contacts_ && simulation_.tick() > 0) {
-        contacts_->write(simulation_.time(), world.system().contacts, world.contact_results(), names_);
+        contacts_->write(simulation_.time(), simulation_.contacts(), simulation_.contact_results(), names_);
     }
     writing_ += seconds_since(begin);
 }

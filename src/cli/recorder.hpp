@@ -34,7 +34,7 @@ class Recorder {
     Clock::time_point start_ = Clock::now();
     double writing_ = 0;  ///< [s]
     OutputFolder folder_;
-    std::vector<std::string> names_;  ///< of the bodies, by their numbers in the world
+    std::vector<std::string> names_;  ///< of the bodies
     std::optional<BodiesCsv> bodies_;
     std::optional<EnergyCsv> energy_;
     std::optional<ContactsCsv> contacts_;

@@ -40,8 +40,8 @@ void print_notes(const Simulation& simulation) {
 
 void print_closing_line(const Simulation& simulation, const Recorder& recorder, ExitStatus status) {
     std::printf("%s: %s at %.6g s, %zu steps in %.3g s; see %s\n", simulation.scene().name.c_str(),
-                status_word(status), simulation.time(), simulation.world().step_report().steps.accepted,
-                recorder.wall(), recorder.folder().path().c_str());
+                status_word(status), simulation.time(), simulation.report().steps.accepted, recorder.wall(),
+                recorder.folder().path().c_str());
 }
 
 }  // namespace
@@ -65,7 +65,7 @@ int run_command(const RunRequest& request) {
         print_closing_line(simulation, recorder, status);
     }
     if (status == exit_failed) {
-        const StepReport& report = simulation.world().step_report();
+        const StepReport& report = simulation.report();
         std::fprintf(stderr, "scree: %s: stopped at %.17g s: %s\n", scene.name.c_str(), report.time,
                      report.message.c_str());
     }

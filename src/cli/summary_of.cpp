@@ -30,7 +30,7 @@ void set_stage_times(const StepReport& report, RunSummary::Times& time) {
 }  // namespace
 
 RunSummary summary_of(const Simulation& simulation) {
-    const StepReport& report = simulation.world().step_report();
+    const StepReport& report = simulation.report();
     const SteppingStatistics& steps = report.steps;
     const Features features = scene_features(simulation.scene());
     RunSummary summary;

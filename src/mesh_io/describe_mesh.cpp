@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <string>
 
 namespace scree {
 
@@ -48,7 +49,9 @@ MeshDescription describe_mesh(const std::filesystem::path& file, const Vec3& sca
     try {
         return describe_mesh(mesh);
     } catch (const std::invalid_argument& error) {
-        throw MeshError(file.string() + ": " + error.what() + ", expected a solid");
+        const std::string reason = error.what();
+        const bool complete = reason.find("expected") != std::string::npos;
+        throw MeshError(file.string() + ": " + reason + (complete ? "" : ", expected a solid"));
     }
 }
 

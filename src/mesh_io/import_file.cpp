@@ -5,12 +5,15 @@
 #include <string>
 #include <string_view>
 
+#include <assimp/config.h>
 #include <assimp/importerdesc.h>
 
 #include <scree/mesh_io/load_mesh.hpp>
 
+#include "check_ply.hpp"
+#include "collada_asset.hpp"
 #include "guarded_files.hpp"
-#include "ply_header.hpp"
+#include "shown.hpp"
 
 // Debian builds assimp with its assertions on. They end the program, where a damaged file should end in an
 // error, so this definition takes the place of assimp's. The importer catches what it throws.
@@ -33,32 +36,31 @@ constexpr unsigned no_processing = 0;
 
 /// One line, without the full stop at its end.
 std::string sentence(std::string_view text) {
-    std::string line(text.substr(0, text.find('\n')));
-    while (!line.empty() && (line.back() == '.' || line.back() == ' ' || line.back() == '\r')) {
+    constexpr std::size_t longest = 200;
+    std::string line = shown(text, longest);
+    while (!line.empty() && (line.back() == '.' || line.back() == ' ')) {
         line.pop_back();
     }
     return line.empty() ? "no reason given" : line;
 }
 
-/// Assimp hands on COLLADA and glTF with y up and in metres, and other kinds as they are.
-bool has_y_up(const Assimp::Importer& importer) {
+/// Whether the file was read as the kind that has this ending.
+bool read_as(const Assimp::Importer& importer, std::string_view ending) {
     const int index = importer.GetPropertyInteger("importerIndex", -1);
     if (index < 0) {
         return false;
     }
     const aiImporterDesc* kind = importer.GetImporterInfo(static_cast<std::size_t>(index));
     const std::string_view endings = kind != nullptr ? kind->mFileExtensions : "";
-    return endings.find("dae") != std::string_view::npos || endings.find("gltf") != std::string_view::npos;
+    return endings.find(ending) != std::string_view::npos;
 }
 
 }  // namespace
 
 ImportedFile::ImportedFile(const std::filesystem::path& file) {
-    if (const std::string obstacle = GuardedFiles::obstacle(file.string()); !obstacle.empty()) {
-        throw MeshError(file.string() + ": " + obstacle + ", expected a mesh file");
-    }
-    check_ply_header(file);
-    importer_.SetIOHandler(new GuardedFiles);  // the importer owns it
+    check_ply(file);
+    importer_.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);  // none is a part of a surface
+    importer_.SetIOHandler(new GuardedFiles);                              // the importer owns it
     std::string reason;
     try {
         scene_ = importer_.ReadFile(file.string(), no_processing);
@@ -70,7 +72,11 @@ ImportedFile::ImportedFile(const std::filesystem::path& file) {
         throw MeshError(file.string() + ": found no mesh in it (" + sentence(reason) +
                         "), expected a kind of mesh file that assimp reads");
     }
-    if (has_y_up(importer_)) {
+    if (read_as(importer_, "dae")) {
+        check_collada_asset(file);
+    }
+    // Assimp hands these two on with y up and in metres, and other kinds as they are.
+    if (read_as(importer_, "dae") || read_as(importer_, "gltf")) {
         to_z_up_ << 1, 0, 0, 0, 0, -1, 0, 1, 0;
     }
 }

@@ -11,6 +11,7 @@ namespace {
 
 constexpr std::size_t most_bodies = 1'000'000;
 constexpr double most_rows = 1e9;
+constexpr double most_steps = 1e12;
 
 template <class Named>
 void require_name(const Named& named, const std::string& name, const std::string& place, const char* what) {
@@ -92,6 +93,29 @@ void check_fill(const SceneDescription& scene) {
     }
 }
 
+// No run may be longer than anyone waits for: a step and a turn each take some work.
+void check_duration(const SceneDescription& scene) {
+    const double end = scene.end_time;
+    if (scene.stepping.step && end / *scene.stepping.step > most_steps) {
+        throw SceneError("stepping.step", "more than 1e12 steps to make", "a longer step");
+    }
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+        const BodyDescription& body = scene.bodies[i];
+        const std::string place = "bodies." + std::to_string(i);
+        const auto* motion = std::get_if<PrescribedMotion>(&body.motion);
+        if (body.angular_velocity.norm() * end > most_steps) {
+            throw SceneError(place + ".angular_velocity", "more than 1e12 radians to turn", "a slower turn");
+        }
+        if (motion != nullptr && motion->angular_velocity.norm() * end > most_steps) {
+            throw SceneError(place + ".motion.angular_velocity", "more than 1e12 radians to turn",
+                             "a slower turn");
+        }
+        if (motion != nullptr && motion->frequency * end > most_steps) {
+            throw SceneError(place + ".motion.frequency", "more than 1e12 periods", "a slower vibration");
+        }
+    }
+}
+
 void check_size(const SceneDescription& scene) {
     std::size_t bodies = scene.bodies.size();
     for (const FillDescription& fill : scene.fill) {
@@ -118,6 +142,7 @@ void check_scene(const SceneDescription& scene) {
         check_bodies(scene);
         check_fill(scene);
         check_size(scene);
+        check_duration(scene);
         body_names(scene);
     } catch (const SceneError& error) {
         throw error.in_file(scene.file.string());

@@ -44,6 +44,14 @@ bool has_friction(const S& scene) {
            anywhere<&Material::friction, &PairDescription::friction>(scene);
 }
 
+bool by_bullet(const S& scene) {
+    return scene.stepping.method == SteppingMethod::bullet;
+}
+
+bool by_law(const S& scene) {
+    return !by_bullet(scene);
+}
+
 bool has_polygonal_patches(const S& scene) {
     return has_shape<MeshShape>(scene) || has_shape<BoxShape>(scene);
 }
@@ -58,16 +66,17 @@ constexpr Feature features[] = {
     {"friction", has_friction},
     {"torsion",
      [](const S& s) {
-         return has_friction(s) && has_polygonal_patches(s) &&
+         return by_law(s) && has_friction(s) && has_polygonal_patches(s) &&
                 anywhere<&Material::torsion, &PairDescription::torsion>(s);
      }},
     {"normal_damping", anywhere<&Material::normal_damping, &PairDescription::normal_damping>},
     {"tangential_damping",
      [](const S& s) {
-         return has_friction(s) &&
+         return by_law(s) && has_friction(s) &&
                 anywhere<&Material::tangential_damping, &PairDescription::tangential_damping>(s);
      }},
-    {"co_rotation", [](const S& s) { return has_friction(s) && s.law.co_rotation; }},
+    {"co_rotation", [](const S& s) { return by_law(s) && has_friction(s) && s.law.co_rotation; }},
+    {"elasticity", by_law},
     {"pairs", [](const S& s) { return !s.pairs.empty(); }},
     {"meshes", has_shape<MeshShape>},
     {"boxes", has_shape<BoxShape>},
@@ -79,6 +88,8 @@ constexpr Feature features[] = {
     {"fill", [](const S& s) { return !s.fill.empty(); }},
     {"newton", [](const S& s) { return s.stepping.method == SteppingMethod::bdf; }},
     {"error_control", [](const S& s) { return !s.stepping.step; }},
+    {"energy_ledger", by_law},
+    {"bullet_solver", by_bullet},
 };
 
 }  // namespace

@@ -180,7 +180,7 @@ InclineRun run_incline(const Incline& incline, double slope, double duration) {
     run.slide = along.dot(moved);
     run.drift = Vec3::UnitZ().cross(along).dot(moved);
     run.turn = end.pose.orientation.angularDistance(start.pose.orientation);
-    const StepReport& report = simulation.world().step_report();
+    const StepReport& report = simulation.report();
     run.message = report.message;
     run.steps = report.steps.accepted;
     run.newton_iterations = report.steps.newton.iterations;

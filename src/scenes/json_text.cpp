@@ -96,19 +96,22 @@ class Builder final : public nlohmann::json_sax<Json> {
         return false;
     }
 
-    /// From the parser's "… unexpected end of input; expected string literal".
+    /// From the parser's "… while parsing value - unexpected end of input; expected string literal", or
+    /// "… - invalid literal; last read: 'tru}'", where what was read may be anything.
     void explain(const std::string& reason) {
-        const std::size_t what = reason.rfind("unexpected ");
-        const std::size_t instead = reason.rfind("; expected ");
-        if (what != std::string::npos && instead != std::string::npos && what < instead) {
-            found = reason.substr(what + 11, instead - what - 11);
-            expected = reason.substr(instead + 11);
+        constexpr std::string_view unexpected = "unexpected ";
+        const std::size_t dash = reason.find(" - ");
+        const std::string what = reason.substr(dash == std::string::npos ? 0 : dash + 3);
+        const std::size_t instead = what.find("; expected ");
+        if (what.starts_with(unexpected) && instead != std::string::npos) {
+            found = what.substr(unexpected.size(), instead - unexpected.size());
+            expected = what.substr(instead + 11);
+        } else if (reason.find("number overflow") != std::string::npos && dash == std::string::npos) {
+            found = "a number that is too large";
+            expected = "a double";
         } else {
-            const std::size_t start = reason.find("invalid ");
-            const bool overflow = reason.find("overflow") != std::string::npos;
-            found = overflow ? "a number that is too large"
-                             : reason.substr(start == std::string::npos ? 0 : start);
-            expected = overflow ? "a double" : "JSON";
+            found = what;
+            expected = "JSON";
         }
     }
 

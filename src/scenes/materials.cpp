@@ -1,6 +1,9 @@
 #include "materials.hpp"
 
+#include <algorithm>
+
 #include <scree/scenes/features.hpp>
+#include <scree/world/automatic_material.hpp>
 
 namespace scree {
 
@@ -31,6 +34,10 @@ PairMaterial pair_material(const SceneDescription& scene, const std::string& a, 
         }
     }
     return pair;
+}
+
+double pair_restitution(const PairMaterial& pair) {
+    return restitution(std::min(1.0, pair.normal_damping / normal_damping(1)));
 }
 
 void set_law(const SceneDescription& scene, DynamicsWorld& world) {

@@ -37,7 +37,6 @@ constexpr Absent absent[] = {
     {"law.tangential_stiffness", "no_length"},
     {"law.reduced_mass", "round"},
     {"law.reduced_mass", "exact"},
-    {"stepping.method", "bullet"},
     {"stepping.solver", "fixed_point"},
     {"output.replay", on},
     {"output.vtk", on},

@@ -1,3 +1,4 @@
+#include "option_words.hpp"
 #include "readers.hpp"
 #include "values.hpp"
 
@@ -7,37 +8,15 @@ namespace {
 
 constexpr double default_bullet_step = 1.0 / 240;  // s
 
-constexpr Choice<NormalLaw> normal_laws[] = {
-    {"volume", NormalLaw::volume}, {"manifold", NormalLaw::manifold}, {"energy", NormalLaw::energy}};
-constexpr Choice<FrictionLaw> friction_laws[] = {{"cundall_strack", FrictionLaw::cundall_strack},
-                                                 {"cundall_strack_2d", FrictionLaw::cundall_strack_2d},
-                                                 {"viscous", FrictionLaw::viscous},
-                                                 {"none", FrictionLaw::none}};
-constexpr Choice<DampingPlace> damping_places[] = {{"patch", DampingPlace::patch},
-                                                   {"centroid", DampingPlace::centroid}};
-constexpr Choice<TangentialStiffness> stiffnesses[] = {{"length", TangentialStiffness::length},
-                                                       {"patch", TangentialStiffness::patch},
-                                                       {"no_length", TangentialStiffness::no_length}};
-constexpr Choice<ReducedMass> reduced_masses[] = {
-    {"point", ReducedMass::point}, {"round", ReducedMass::round}, {"exact", ReducedMass::exact}};
-
 using L = LawDescription;
 constexpr Field<L> law_fields[] = {
     {"normal", into<&L::normal, choice<normal_laws>>},
     {"friction", into<&L::friction, choice<friction_laws>>},
     {"damping", into<&L::damping, choice<damping_places>>},
-    {"tangential_stiffness", into<&L::tangential_stiffness, choice<stiffnesses>>},
+    {"tangential_stiffness", into<&L::tangential_stiffness, choice<tangential_stiffnesses>>},
     {"co_rotation", into<&L::co_rotation, flag>},
     {"reduced_mass", into<&L::reduced_mass, choice<reduced_masses>>},
 };
-
-constexpr Choice<SteppingMethod> methods[] = {{"bdf", SteppingMethod::bdf},
-                                              {"verlet", SteppingMethod::verlet},
-                                              {"symplectic_euler", SteppingMethod::symplectic_euler},
-                                              {"bullet", SteppingMethod::bullet}};
-constexpr Choice<SolverChoice> solvers[] = {{"auto", SolverChoice::automatic},
-                                            {"newton", SolverChoice::newton},
-                                            {"fixed_point", SolverChoice::fixed_point}};
 
 int order(const Node& node) {
     if (!node.value().is_number_unsigned() || node.value() < 1U || node.value() > 5U) {
@@ -66,12 +45,12 @@ void read_step(const Node& node, SteppingDescription& stepping) {
 
 using S = SteppingDescription;
 constexpr Field<S> stepping_fields[] = {
-    {"method", into<&S::method, choice<methods>>},
+    {"method", into<&S::method, choice<stepping_methods>>},
     {"max_order", into<&S::max_order, order>},
     {"step", read_step},
     {"rtol", into<&S::rtol, fraction>},
     {"atol", into<&S::atol, fraction>},
-    {"solver", into<&S::solver, choice<solvers>>},
+    {"solver", into<&S::solver, choice<solver_choices>>},
     {"iterations", into<&S::iterations, iterations>},
 };
 

@@ -1,11 +1,13 @@
 #include <scree/scenes/simulation.hpp>
 
+#include <stdexcept>
+
 #include <scree/detect/convert.hpp>
 #include <scree/scenes/read_scene.hpp>
 
 #include "body_names.hpp"
+#include "engine.hpp"
 #include "fill.hpp"
-#include "materials.hpp"
 
 namespace scree {
 
@@ -34,26 +36,6 @@ std::vector<std::string> notes_of(const std::map<std::string, Solid>& solids) {
     return notes;
 }
 
-Method world_method(SteppingMethod method) {
-    switch (method) {
-        case SteppingMethod::verlet:
-            return Method::velocity_verlet;
-        case SteppingMethod::symplectic_euler:
-            return Method::symplectic_euler;
-        default:
-            return Method::bdf;
-    }
-}
-
-SteppingOptions stepping_options(const SceneDescription& scene) {
-    SteppingOptions options;
-    options.method = world_method(scene.stepping.method);
-    options.max_order = static_cast<std::size_t>(scene.stepping.max_order);
-    options.fixed_step = scene.stepping.step.value_or(0);
-    options.tolerances = {scene.stepping.rtol, scene.stepping.atol, scene.gravity.norm()};
-    return options;
-}
-
 /// Bodies that are listed one by one, without those of fill.
 std::vector<SimulationBody> listed_bodies(const SceneDescription& scene,
                                           const std::map<std::string, Solid>& solids) {
@@ -73,6 +55,27 @@ std::vector<SimulationBody> listed_bodies(const SceneDescription& scene,
     return bodies;
 }
 
+std::unique_ptr<btRigidBody> rigid_body(const SimulationBody& body, double density) {
+    const double mass = body.dynamic() ? density * body.solid.volume : 0;
+    const Vec3 inertia = body.dynamic() ? Vec3(density * body.solid.inertia) : Vec3::Zero();
+    btRigidBody::btRigidBodyConstructionInfo info(mass, nullptr, body.solid.collision.get(),
+                                                  to_bullet(inertia));
+    const FrameMotion start = tied(body.start, body.solid.body_in_file);
+    info.m_startWorldTransform = to_bullet(start.pose);
+    auto rigid = std::make_unique<btRigidBody>(info);
+    rigid->setLinearVelocity(to_bullet(start.velocity));
+    rigid->setAngularVelocity(to_bullet(start.angular_velocity));
+    rigid->setActivationState(DISABLE_DEACTIVATION);
+    return rigid;
+}
+
+DynamicsWorld& world_of(Engine& engine) {
+    if (engine.world() == nullptr) {
+        throw std::logic_error("a scene that Bullet's own solver steps is in no world of scree's");
+    }
+    return *engine.world();
+}
+
 }  // namespace
 
 Simulation::Simulation(const SceneDescription& scene)
@@ -88,64 +91,28 @@ Simulation::Simulation(const SceneDescription& scene)
 Simulation::~Simulation() = default;
 
 void Simulation::make_bodies() {
-    const std::map<std::string, Solid> solids = make_solids(scene_);
-    notes_ = notes_of(solids);
+    solids_ = make_solids(scene_);
+    notes_ = notes_of(solids_);
     const std::vector<std::string> names = body_names(scene_);
-    bodies_ = listed_bodies(scene_, solids);
+    bodies_ = listed_bodies(scene_, solids_);
     const std::size_t listed = bodies_.size();
     bodies_.resize(names.size());
-    fill_boxes(scene_, solids, bodies_, listed);
-    make_world();
+    fill_boxes(scene_, solids_, bodies_, listed);
+    engine_ = make_engine(scene_);
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
         bodies_[i].name = names[i];
+        const MaterialDescription& material = scene_.materials.at(bodies_[i].material);
+        bodies_[i].rigid = rigid_body(bodies_[i], material.density);
         try {
-            add_to_world(i);
+            engine_->add(bodies_[i], material);
         } catch (const std::invalid_argument& error) {
             throw SceneError("body " + names[i], error.what(), "a body that this build can move");
         }
     }
 }
 
-void Simulation::make_world() {
-    configuration_ = std::make_unique<btDefaultCollisionConfiguration>();
-    dispatcher_ = std::make_unique<btCollisionDispatcher>(configuration_.get());
-    broadphase_ = std::make_unique<btDbvtBroadphase>();
-    world_ =
-        std::make_unique<DynamicsWorld>(dispatcher_.get(), broadphase_.get(), nullptr, configuration_.get());
-    world_->setGravity(to_bullet(scene_.gravity));
-    world_->set_stepping(stepping_options(scene_));
-    world_->set_mixing([this](const btRigidBody& a, const Material&, const btRigidBody& b, const Material&) {
-        return pair_material(scene_, bodies_[a.getUserIndex()].material, bodies_[b.getUserIndex()].material);
-    });
-    set_law(scene_, *world_);
-}
-
-void Simulation::add_to_world(std::size_t index) {
-    SimulationBody& body = bodies_[index];
-    const MaterialDescription& material = scene_.materials.at(body.material);
-    const double mass = body.dynamic() ? material.density * body.solid.volume : 0;
-    const Vec3 inertia = body.dynamic() ? Vec3(material.density * body.solid.inertia) : Vec3::Zero();
-    btRigidBody::btRigidBodyConstructionInfo info(mass, nullptr, body.solid.collision.get(),
-                                                  to_bullet(inertia));
-    const FrameMotion start = tied(body.start, body.solid.body_in_file);
-    info.m_startWorldTransform = to_bullet(start.pose);
-    body.rigid = std::make_unique<btRigidBody>(info);
-    body.rigid->setLinearVelocity(to_bullet(start.velocity));
-    body.rigid->setAngularVelocity(to_bullet(start.angular_velocity));
-    body.rigid->setActivationState(DISABLE_DEACTIVATION);
-    body.rigid->setUserIndex(static_cast<int>(index));
-    world_->addRigidBody(body.rigid.get());
-    world_->set_material(*body.rigid, material);
-    if (const auto* motion = std::get_if<PrescribedMotion>(&body.motion)) {
-        world_->set_path(*body.rigid, std::make_shared<PrescribedMotionPath>(*motion, body.start.pose,
-                                                                             body.solid.body_in_file));
-    }
-    const int number = world_->body_number(*body.rigid);
-    body.mirrored = world_->system().states[number].orientation.dot(start.pose.orientation) < 0;
-}
-
 bool Simulation::at_start(const SimulationBody& body) const {
-    return std::holds_alternative<FixedMotion>(body.motion) || world_->step_report().time == 0;
+    return std::holds_alternative<FixedMotion>(body.motion) || engine_->report().time == 0;
 }
 
 FrameMotion Simulation::body_motion(std::size_t index) const {
@@ -153,12 +120,7 @@ FrameMotion Simulation::body_motion(std::size_t index) const {
     if (body.file_path || at_start(body)) {
         return tied(file_motion(index), body.solid.body_in_file);
     }
-    const System& system = world_->system();
-    const auto number = static_cast<std::size_t>(world_->body_number(*body.rigid));
-    const BodyState& state = system.states[number];
-    const Quat turn = body.mirrored ? Quat(-state.orientation.coeffs()) : state.orientation;
-    return {
-        {state.position, turn}, velocity(system.bodies[number], state), spin(system.bodies[number], state)};
+    return engine_->motion(index);
 }
 
 FrameMotion Simulation::file_motion(std::size_t index) const {
@@ -170,16 +132,35 @@ FrameMotion Simulation::file_motion(std::size_t index) const {
     return at_start(body) ? body.start : tied(body_motion(index), body.solid.body_in_file.inverse());
 }
 
+const StepReport& Simulation::report() const {
+    return engine_->report();
+}
+
+std::span<const Contact> Simulation::contacts() const {
+    return engine_->contacts();
+}
+
+std::span<const ContactResult> Simulation::contact_results() const {
+    return engine_->contact_results();
+}
+
+DynamicsWorld& Simulation::world() {
+    return world_of(*engine_);
+}
+
+const DynamicsWorld& Simulation::world() const {
+    return world_of(*engine_);
+}
+
 double Simulation::time() const {
-    return world_->step_report().failed ? world_->step_report().time : times_.at(tick_);
+    return report().failed ? report().time : times_.at(tick_);
 }
 
 bool Simulation::advance() {
     if (tick_ == times_.last()) {
         return true;
     }
-    world_->stepSimulation(times_.at(tick_ + 1) - times_.at(tick_), 0);
-    if (world_->step_report().failed) {
+    if (!engine_->advance(times_.at(tick_), times_.at(tick_ + 1))) {
         return false;
     }
     ++tick_;

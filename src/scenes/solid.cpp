@@ -35,7 +35,7 @@ struct Maker {
         solid.body_in_file = {mesh.hull_mass.centroid, mesh.hull_mass.principal_axes};
         solid.shape =
             std::make_shared<const Shape>(transformed(mesh.hull.solid, solid.body_in_file.inverse()));
-        solid.collision = std::make_shared<PolyhedronShape>(solid.shape);
+        solid.native = solid.collision = std::make_shared<PolyhedronShape>(solid.shape);
         solid.volume = mesh.hull_mass.volume;
         solid.inertia = mesh.hull_mass.principal_inertia;
         solid.note = describe(mesh);
@@ -47,6 +47,7 @@ struct Maker {
         Solid solid;
         solid.shape = std::make_shared<const Shape>(make_box(box.edges));
         solid.collision = std::make_shared<PolyhedronShape>(solid.shape);
+        solid.native = std::make_shared<btBoxShape>(to_bullet(Vec3(0.5 * box.edges)));
         solid.volume = box.edges.prod();
         solid.inertia = solid.volume / 12 * (Vec3::Constant(squares.sum()) - squares);
         return solid;
@@ -56,7 +57,7 @@ struct Maker {
         const double square = sphere.radius * sphere.radius;
         Solid solid;
         solid.shape = std::make_shared<const Shape>(sphere);
-        solid.collision = std::make_shared<btSphereShape>(sphere.radius);
+        solid.native = solid.collision = std::make_shared<btSphereShape>(sphere.radius);
         solid.volume = 4.0 / 3.0 * std::numbers::pi * square * sphere.radius;
         solid.inertia = Vec3::Constant(0.4 * solid.volume * square);
         return solid;
@@ -65,12 +66,21 @@ struct Maker {
     Solid operator()(const HalfSpace& half_space) const {
         Solid solid;
         solid.shape = std::make_shared<const Shape>(half_space);
-        solid.collision =
+        solid.native = solid.collision =
             std::make_shared<btStaticPlaneShape>(to_bullet(half_space.normal), half_space.offset);
         solid.volume = std::numeric_limits<double>::infinity();
         return solid;
     }
 };
+
+/// A box stays one; what else has faces is what the pair search has.
+std::shared_ptr<btCollisionShape> scaled_native(const btCollisionShape& shape, double factor,
+                                                std::shared_ptr<btCollisionShape> scaled_collision) {
+    if (const auto* box = dynamic_cast<const btBoxShape*>(&shape)) {
+        return std::make_shared<btBoxShape>(factor * box->getHalfExtentsWithMargin());
+    }
+    return scaled_collision;
+}
 
 }  // namespace
 
@@ -82,7 +92,7 @@ Solid scaled(const Solid& solid, double factor) {
     Solid other = solid;
     if (const auto* sphere = std::get_if<Sphere>(solid.shape.get())) {
         other.shape = std::make_shared<const Shape>(Sphere{factor * sphere->radius});
-        other.collision = std::make_shared<btSphereShape>(factor * sphere->radius);
+        other.native = other.collision = std::make_shared<btSphereShape>(factor * sphere->radius);
     } else {
         ConvexPolyhedron larger = std::get<ConvexPolyhedron>(*solid.shape);
         for (Vec3& vertex : larger.vertices) {
@@ -95,6 +105,7 @@ Solid scaled(const Solid& solid, double factor) {
         larger.width *= factor;
         other.shape = std::make_shared<const Shape>(std::move(larger));
         other.collision = std::make_shared<PolyhedronShape>(other.shape);
+        other.native = scaled_native(*solid.native, factor, other.collision);
     }
     const double cube = factor * factor * factor;
     other.body_in_file.position *= factor;

@@ -6,6 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include <tests/scenes/small_scene.hpp>
+#include <tests/support/bad_meshes.hpp>
+#include <tests/support/bad_scenes.hpp>
 
 #include "child.hpp"
 
@@ -78,10 +80,37 @@ TEST_CASE("The explicit methods run the same scene", "[cli]") {
     }
 }
 
+TEST_CASE("Bullet's own solver runs the same scene, with the same files", "[cli]") {
+    const Folder folder;
+    const std::string scene = folder.write("small.json", small_scene);
+    errors_of(folder, {"run", scene, "--out", folder / "scree", "--quiet"}, 0);
+    errors_of(folder,
+              {"run", scene, "--out", folder / "bullet", "--quiet", "--set", "stepping.method=bullet",
+               "--set", "output.contacts=true"},
+              0);
+    const json own = summary_in(folder / "scree");
+    const json other = summary_in(folder / "bullet");
+    for (const auto& [key, value] : own.items()) {
+        CAPTURE(key);
+        CHECK(other.contains(key));
+    }
+    CHECK(other.at("reached") == 0.1);
+    CHECK(other.at("energy").size() == own.at("energy").size());
+    const auto rows = [&](const std::string& file) {
+        const std::string table = text_of(folder / file);
+        return std::count(table.begin(), table.end(), '\n');
+    };
+    CHECK(rows("bullet/bodies.csv") == rows("scree/bodies.csv"));
+    CHECK(rows("bullet/energy.csv") == rows("scree/energy.csv"));
+    CHECK_THAT(text_of(folder / "bullet/contacts.csv"), Catch::Contains("\n0.1,ground,block,"));
+}
+
 TEST_CASE("The same scene gives the same bytes", "[cli]") {
     const Folder folder;
     const std::string scene = folder.write("small.json", small_scene);
-    const std::vector<std::string> settings = {"--set", "bodies.1.velocity=[1,0.5,0]", "--quiet"};
+    const std::string method = GENERATE("bdf", "bullet");
+    const std::vector<std::string> settings = {"--set", "bodies.1.velocity=[1,0.5,0]", "--quiet", "--set",
+                                               "stepping.method=" + method};
     for (const char* out : {"first", "second"}) {
         std::vector<std::string> words = {"run", scene, "--out", folder / out};
         words.insert(words.end(), settings.begin(), settings.end());
@@ -192,4 +221,31 @@ TEST_CASE("A mesh is described in JSON", "[cli]") {
     CHECK(mesh.at("convex") == true);
     CHECK(mesh.at("hull_volume") == 8);
     CHECK(mesh.at("inertia")[2][2] == Approx(8 * 4 / 6.0));
+}
+
+TEST_CASE("Bad meshes are refused by one line, and nothing is written", "[cli]") {
+    const Folder folder;
+    const MeshFiles files;
+    for (const auto& [file, message] : bad_meshes(files)) {
+        check_refused(folder, {"mesh", file.string()}, message);
+        const std::string shape = "shapes.s={\"mesh\": \"" + file.string() + "\"}";
+        const std::string scene = folder.write("small.json", small_scene);
+        check_refused(folder, {"run", scene, "--out", folder / "out", "--set", shape}, message);
+        CHECK_FALSE(fs::exists(folder / "out"));
+    }
+}
+
+TEST_CASE("Every bad scene is refused by one line, and nothing is written", "[cli]") {
+    const Folder folder;
+    for (const auto& scenes : {bad_texts(), bad_values(), absent_values()}) {
+        for (const BadScene& bad : scenes) {
+            std::vector<std::string> words = {"run", folder.write("small.json", bad.text), "--out",
+                                              folder / "out"};
+            if (!bad.setting.empty()) {
+                words.insert(words.end(), {"--set", bad.setting});
+            }
+            check_refused(folder, words, bad.message);
+        }
+    }
+    CHECK_FALSE(fs::exists(folder / "out"));
 }

@@ -116,37 +116,6 @@ TEST_CASE("A mirrored node keeps its triangles outward", "[mesh_io]") {
     CHECK(mass_properties(load_mesh(file)).volume == Approx(2).epsilon(1e-14));
 }
 
-TEST_CASE("Files without a usable mesh are refused by name", "[mesh_io]") {
-    const MeshFiles files;
-    const auto refused = [](const std::filesystem::path& file, const std::string& why) {
-        INFO(file);
-        CHECK_THROWS_WITH(describe_mesh(file),
-                          Contains(file.string()) && Contains(why) && Contains("expected"));
-        CHECK_THROWS_AS(describe_mesh(file), MeshError);
-    };
-    refused(files.folder() / "none.obj", "found no such file");
-    refused(files.folder(), "found something that is no file");
-    refused(files.text("empty.obj", ""), "found an empty file");
-    refused(files.text("stone.txt", "a stone\n"), "found no mesh in it");
-    refused(files.text("garbage.stl", std::string(300, '\x01')), "found no mesh in it");
-    refused(files.text("points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n"), "found no");
-    refused(files.text("short.ply", "ply\nformat ascii 1.0\nelement vertex 8\n"), "found no mesh in it");
-    refused(files.text("huge.ply",
-                       "ply\nformat ascii 1.0\nelement vertex 4000000000\nproperty float x\nend_header\n0\n"),
-            "announces vertex 4000000000");
-
-    const std::string faces = "f 1 2 3\nf 1 4 2\nf 2 4 3\nf 1 3 4\n";
-    const auto corners = [&](const std::string& name, const std::string& vertices) {
-        return files.text(name, vertices + faces);
-    };
-    refused(corners("nan.obj", "v 0 0 0\nv 1 0 0\nv 0 nan 0\nv 0 0 1\n"), "not finite");
-    refused(corners("infinite.obj", "v 0 0 0\nv 1 0 0\nv 0 1e60 0\nv 0 0 1\n"), "not finite");
-    refused(corners("far.obj", "v 0 0 0\nv 1 0 0\nv 0 1e30 0\nv 0 0 1\n"), "at most 1e+09 m");
-    refused(corners("flat.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\n"), "lie in one plane");
-    refused(corners("line.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 3 0 0\n"), "lie on one line");
-    refused(corners("point.obj", "v 1 2 3\nv 1 2 3\nv 1 2 3\nv 1 2 3\n"), "at least four points, found 1");
-}
-
 TEST_CASE("Files that are too large are refused before they are read", "[mesh_io]") {
     const MeshFiles files;
     const auto file = files.text("large.stl", "solid\n");

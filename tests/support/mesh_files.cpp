@@ -52,6 +52,79 @@ std::string list(const Vec3& v) {
     return stream.str();
 }
 
+/// The numbers of a binary PLY file.
+std::string ply_numbers(const TriangleMesh& mesh, bool big_endian) {
+    std::string bytes;
+    const auto add = [&](const auto& value) {
+        std::string own;
+        append(own, value);
+        bytes += big_endian ? std::string(own.rbegin(), own.rend()) : own;
+    };
+    for (const Vec3& v : mesh.vertices) {
+        for (const double x : v) {
+            add(static_cast<float>(x));
+        }
+    }
+    for (const auto& triangle : mesh.triangles) {
+        add(std::uint8_t{3});
+        for (const int i : triangle) {
+            add(static_cast<std::int32_t>(i));
+        }
+    }
+    return bytes;
+}
+
+/// The parts of a glTF file that describe its meshes.
+struct GltfParts {
+    std::string meshes, accessors, views, bytes;
+
+    void add(const TriangleMesh& mesh) {
+        Eigen::AlignedBox3d box;
+        const std::size_t start = bytes.size();
+        for (const Vec3& v : mesh.vertices) {
+            append(bytes, v);
+            box.extend(v);
+        }
+        const std::size_t points = bytes.size();
+        for (const auto& triangle : mesh.triangles) {
+            for (const int i : triangle) {
+                append(bytes, static_cast<std::uint32_t>(i));
+            }
+        }
+        std::ostringstream out = exact_stream();
+        out << R"({"bufferView":)" << number << R"(,"componentType":5126,"type":"VEC3","count":)"
+            << mesh.vertices.size() << R"(,"min":)" << list(box.min()) << R"(,"max":)" << list(box.max())
+            << R"(},{"bufferView":)" << number + 1 << R"(,"componentType":5125,"type":"SCALAR","count":)"
+            << 3 * mesh.triangles.size() << "}";
+        accessors += comma() + out.str();
+        views += comma() + view(start, points) + "," + view(points, bytes.size());
+        meshes += comma() + R"({"primitives":[{"attributes":{"POSITION":)" + std::to_string(number) +
+                  R"(},"indices":)" + std::to_string(number + 1) + "}]}";
+        number += 2;
+    }
+
+  private:
+    [[nodiscard]] std::string comma() const { return number > 0 ? "," : ""; }
+    static std::string view(std::size_t begin, std::size_t end) {
+        return R"({"buffer":0,"byteOffset":)" + std::to_string(begin) + R"(,"byteLength":)" +
+               std::to_string(end - begin) + "}";
+    }
+    int number = 0;  // of accessors so far
+};
+
+/// The two chunks of a binary glTF file.
+std::string glb(std::string json, std::string bytes) {
+    json.resize((json.size() + 3) / 4 * 4, ' ');
+    bytes.resize((bytes.size() + 3) / 4 * 4, '\0');
+    std::string file = "glTF";
+    append(file, std::uint32_t{2});
+    append(file, static_cast<std::uint32_t>(12 + 8 + json.size() + 8 + bytes.size()));
+    append(file, static_cast<std::uint32_t>(json.size()));
+    file += "JSON" + json;
+    append(file, static_cast<std::uint32_t>(bytes.size()));
+    return file + std::string("BIN\0", 4) + bytes;
+}
+
 }  // namespace
 
 TriangleMesh cube_mesh() {
@@ -127,11 +200,17 @@ std::filesystem::path MeshFiles::binary_stl(const std::string& name, const Trian
     return text(name, bytes);
 }
 
-std::filesystem::path MeshFiles::ply(const std::string& name, const TriangleMesh& mesh) const {
+std::filesystem::path MeshFiles::ply(const std::string& name, const TriangleMesh& mesh, PlyKind kind) const {
+    const char* format = kind == PlyKind::ascii           ? "ascii"
+                         : kind == PlyKind::little_endian ? "binary_little_endian"
+                                                          : "binary_big_endian";
     std::ostringstream out = exact_stream();
-    out << "ply\nformat ascii 1.0\nelement vertex " << mesh.vertices.size()
+    out << "ply\nformat " << format << " 1.0\nelement vertex " << mesh.vertices.size()
         << "\nproperty float x\nproperty float y\nproperty float z\nelement face " << mesh.triangles.size()
         << "\nproperty list uchar int vertex_indices\nend_header\n";
+    if (kind != PlyKind::ascii) {
+        return text(name, out.str() + ply_numbers(mesh, kind == PlyKind::big_endian));
+    }
     for (const Vec3& v : mesh.vertices) {
         out << v.x() << ' ' << v.y() << ' ' << v.z() << '\n';
     }
@@ -143,34 +222,33 @@ std::filesystem::path MeshFiles::ply(const std::string& name, const TriangleMesh
 
 std::filesystem::path MeshFiles::gltf(const std::string& name, const TriangleMesh& mesh, const Vec3& shift,
                                       const Vec3& scale) const {
-    std::string bytes;
-    Eigen::AlignedBox3d box;
-    for (const Vec3& v : mesh.vertices) {
-        append(bytes, v);
-        box.extend(v);
-    }
-    const std::size_t points = bytes.size();
-    for (const auto& triangle : mesh.triangles) {
-        for (const int i : triangle) {
-            append(bytes, static_cast<std::uint16_t>(i));
-        }
-    }
-    std::ostringstream out = exact_stream();
-    out << R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0,"translation":)"
-        << list(shift) << R"(,"scale":)" << list(scale)
-        << R"(}],"meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1}]}],"accessors":[)"
-        << R"({"bufferView":0,"componentType":5126,"type":"VEC3","count":)" << mesh.vertices.size()
-        << R"(,"min":)" << list(box.min()) << R"(,"max":)" << list(box.max())
-        << R"(},{"bufferView":1,"componentType":5123,"type":"SCALAR","count":)" << 3 * mesh.triangles.size()
-        << R"(}],"bufferViews":[{"buffer":0,"byteOffset":0,"byteLength":)" << points
-        << R"(},{"buffer":0,"byteOffset":)" << points << R"(,"byteLength":)" << bytes.size() - points
-        << R"(}],"buffers":[{"byteLength":)" << bytes.size()
-        << R"(,"uri":"data:application/octet-stream;base64,)" << base64(bytes) << "\"}]}";
-    return text(name, out.str());
+    std::ostringstream nodes = exact_stream();
+    nodes << R"([{"mesh":0,"translation":)" << list(shift) << R"(,"scale":)" << list(scale) << "}]";
+    return gltf(name, {mesh}, nodes.str(), GltfBuffer::embedded);
 }
 
-std::filesystem::path MeshFiles::collada(const std::string& name, const std::string& axis,
-                                         double unit) const {
+std::filesystem::path MeshFiles::gltf(const std::string& name, const std::vector<TriangleMesh>& meshes,
+                                      const std::string& nodes, GltfBuffer where) const {
+    GltfParts parts;
+    for (const TriangleMesh& mesh : meshes) {
+        parts.add(mesh);
+    }
+    std::string uri;
+    if (where == GltfBuffer::embedded) {
+        uri = R"(,"uri":"data:application/octet-stream;base64,)" + base64(parts.bytes) + "\"";
+    } else if (where == GltfBuffer::beside) {
+        text(name + ".bin", parts.bytes);
+        uri = R"(,"uri":")" + name + ".bin\"";
+    }
+    const std::string json =
+        R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":)" + nodes +
+        R"(,"meshes":[)" + parts.meshes + R"(],"accessors":[)" + parts.accessors + R"(],"bufferViews":[)" +
+        parts.views + R"(],"buffers":[{"byteLength":)" + std::to_string(parts.bytes.size()) + uri + "}]}";
+    return text(name, where == GltfBuffer::binary ? glb(json, parts.bytes) : json);
+}
+
+std::filesystem::path MeshFiles::collada(const std::string& name, const std::string& axis, double unit,
+                                         const std::string& nodes) const {
     std::ostringstream out;
     out << R"(<?xml version="1.0"?>
 <COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
@@ -185,8 +263,8 @@ std::filesystem::path MeshFiles::collada(const std::string& name, const std::str
 <triangles count="4"><input semantic="VERTEX" source="#vertices" offset="0"/>
 <p>0 2 1 0 1 3 1 2 3 2 0 3</p></triangles>
 </mesh></geometry></library_geometries>
-<library_visual_scenes><visual_scene id="scene"><node><instance_geometry url="#corner"/></node>
-</visual_scene></library_visual_scenes>
+<library_visual_scenes><visual_scene id="scene">)"
+        << nodes << R"(</visual_scene></library_visual_scenes>
 <scene><instance_visual_scene url="#scene"/></scene>
 </COLLADA>
 )";

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include <scree/mesh/triangle_mesh.hpp>
 
@@ -12,6 +13,11 @@ TriangleMesh cube_mesh();
 
 /// All of a file.
 std::string contents(const std::filesystem::path& file);
+
+enum class PlyKind { ascii, little_endian, big_endian };
+
+/// Where a glTF file has its numbers: as text in the file, in a file beside it, or in a binary file (.glb).
+enum class GltfBuffer { embedded, beside, binary };
 
 /// A folder for mesh files that goes away with the object. Each function writes one and gives its path.
 class MeshFiles {
@@ -27,12 +33,19 @@ class MeshFiles {
     std::filesystem::path obj(const std::string& name, const TriangleMesh& mesh) const;
     std::filesystem::path ascii_stl(const std::string& name, const TriangleMesh& mesh) const;
     std::filesystem::path binary_stl(const std::string& name, const TriangleMesh& mesh) const;
-    std::filesystem::path ply(const std::string& name, const TriangleMesh& mesh) const;
+    std::filesystem::path ply(const std::string& name, const TriangleMesh& mesh,
+                              PlyKind kind = PlyKind::ascii) const;
     /// One node with the mesh, scaled, then shifted.
     std::filesystem::path gltf(const std::string& name, const TriangleMesh& mesh, const Vec3& shift,
                                const Vec3& scale = Vec3::Ones()) const;
-    /// The tetrahedron 0, x, 2y, 3z; `axis` is the up_axis element or nothing, `unit` its unit in metres.
-    std::filesystem::path collada(const std::string& name, const std::string& axis, double unit) const;
+    /// The meshes and the JSON of the nodes, of which the first is the scene's.
+    std::filesystem::path gltf(const std::string& name, const std::vector<TriangleMesh>& meshes,
+                               const std::string& nodes, GltfBuffer where) const;
+    /// The tetrahedron 0, x, 2y, 3z as #corner; `axis` is the up_axis element or nothing, `unit` its unit in
+    /// metres, `nodes` are the scene's.
+    std::filesystem::path collada(
+        const std::string& name, const std::string& axis, double unit,
+        const std::string& nodes = R"(<node><instance_geometry url="#corner"/></node>)") const;
 
   private:
     std::filesystem::path folder_;

@@ -19,6 +19,9 @@ class MeshError : public std::runtime_error {
 /// up and to metres by what they declare, other kinds are taken as they are. Throws MeshError for a file that
 /// is missing, unreadable, too large (1 GiB, 10 million vertices), without triangles or with coordinates that
 /// are not finite; std::invalid_argument for a scale that is not positive.
+///
+/// The file is read in a copy of this process (fork), of bounded time and memory: a damaged file on which an
+/// importer crashes is a MeshError too.
 TriangleMesh load_mesh(const std::filesystem::path& file, const Vec3& scale = Vec3::Ones());
 
 }  // namespace scree

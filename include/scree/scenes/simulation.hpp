@@ -1,6 +1,8 @@
 #pragma once
 
+#include <map>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -13,6 +15,8 @@
 
 namespace scree {
 
+class Engine;
+
 /// A body of a running scene.
 struct SimulationBody {
     std::string name;
@@ -22,7 +26,6 @@ struct SimulationBody {
     MotionDescription motion;
     std::unique_ptr<const PrescribedPath> file_path;  ///< of the file's frame; null: not prescribed
     std::unique_ptr<btRigidBody> rigid;
-    bool mirrored = false;  ///< the world holds the negative, equal quaternion
 
     [[nodiscard]] bool dynamic() const { return std::holds_alternative<DynamicMotion>(motion); }
 };
@@ -38,11 +41,21 @@ class Simulation {
 
     [[nodiscard]] const SceneDescription& scene() const { return scene_; }
     [[nodiscard]] const OutputTimes& times() const { return times_; }
-    [[nodiscard]] DynamicsWorld& world() { return *world_; }
-    [[nodiscard]] const DynamicsWorld& world() const { return *world_; }
+    /// The world that it is in; throws std::logic_error when Bullet's own solver steps the scene.
+    [[nodiscard]] DynamicsWorld& world();
+    [[nodiscard]] const DynamicsWorld& world() const;
+
+    /// What was done so far. Of what Bullet's own solver does not know the entries are zero.
+    [[nodiscard]] const StepReport& report() const;
+    /// The pairs that may touch and what each did in the last step; bodies are numbered in scene order. Of
+    /// Bullet's own solver one entry a pair that touches, without volume and area.
+    [[nodiscard]] std::span<const Contact> contacts() const;
+    [[nodiscard]] std::span<const ContactResult> contact_results() const;
 
     /// In scene order, those of `fill` after those of `bodies`.
     [[nodiscard]] const std::vector<SimulationBody>& bodies() const { return bodies_; }
+    /// The scene's shapes, by name.
+    [[nodiscard]] const std::map<std::string, Solid>& solids() const { return solids_; }
     /// What the user should know of how the scene was understood, a line each.
     [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
 
@@ -61,19 +74,15 @@ class Simulation {
 
   private:
     void make_bodies();
-    void make_world();
-    void add_to_world(std::size_t index);
     [[nodiscard]] bool at_start(const SimulationBody& body) const;
 
     SceneDescription scene_;
     OutputTimes times_;
     std::int64_t tick_ = 0;
+    std::map<std::string, Solid> solids_;
     std::vector<std::string> notes_;
     std::vector<SimulationBody> bodies_;
-    std::unique_ptr<btCollisionConfiguration> configuration_;
-    std::unique_ptr<btCollisionDispatcher> dispatcher_;
-    std::unique_ptr<btBroadphaseInterface> broadphase_;
-    std::unique_ptr<DynamicsWorld> world_;
+    std::unique_ptr<Engine> engine_;
 };
 
 }  // namespace scree

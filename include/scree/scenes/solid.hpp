@@ -13,7 +13,8 @@ namespace scree {
 /// axes; the file's frame is the one that position and orientation place.
 struct Solid {
     std::shared_ptr<const Shape> shape;           ///< in the body's frame
-    std::shared_ptr<btCollisionShape> collision;  ///< the same for Bullet
+    std::shared_ptr<btCollisionShape> collision;  ///< the same for the pair search
+    std::shared_ptr<btCollisionShape> native;     ///< the same as Bullet's own solver knows it best
     Pose body_in_file;                            ///< the body's frame, seen from the file's
     double volume = 0;                            ///< [m³]; infinite for a half-space
     Vec3 inertia = Vec3::Zero();                  ///< principal, for density 1 [m⁵]
