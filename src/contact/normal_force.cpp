@@ -26,7 +26,8 @@ double volume_rate(const ContactGeometry& geometry, const RelativeMotion& motion
     return geometry.area_vector.dot(motion.velocity) + geometry.area_moment().dot(motion.spin);
 }
 
-bool add_normal_force(const ContactInput& in, ContactForce& out, Row9& normal_force_rate) {
+bool add_normal_force(const ContactInput& in, DampingPlace damping, ContactForce& out,
+                      Row9& normal_force_rate) {
     const ContactGeometry& g = in.geometry;
     const double elastic = in.pair.elastic * g.volume;
     const double stored = -elastic * g.normal.dot(in.motion.velocity);
@@ -48,7 +49,7 @@ bool add_normal_force(const ContactInput& in, ContactForce& out, Row9& normal_fo
         out.force_rate.noalias() += g.normal * normal_force_rate;
         out.force_rate.noalias() += fn * in.rates->normal;
     }
-    if (g.flat_patch) {
+    if (g.flat_patch && damping == DampingPlace::patch) {
         add_rocking_damping(in, out);
     }
     out.power.normal = -(out.force.dot(in.motion.velocity) + out.moment.dot(in.motion.spin));

@@ -48,6 +48,20 @@ bool has_polygonal_patches(const S& scene) {
     return has_shape<MeshShape>(scene) || has_shape<BoxShape>(scene);
 }
 
+template <FrictionLaw law>
+bool has_friction_law(const S& scene) {
+    return has_friction(scene) && scene.law.friction == law;
+}
+
+bool has_normal_damping(const S& scene) {
+    return anywhere<&Material::normal_damping, &PairDescription::normal_damping>(scene);
+}
+
+bool has_tangential_damping(const S& scene) {
+    return has_friction(scene) &&
+           anywhere<&Material::tangential_damping, &PairDescription::tangential_damping>(scene);
+}
+
 struct Feature {
     const char* name;
     bool (*used)(const S&);
@@ -56,18 +70,25 @@ struct Feature {
 constexpr Feature features[] = {
     {"gravity", [](const S& s) { return s.gravity != Vec3::Zero(); }},
     {"friction", has_friction},
+    {"plane_friction", has_friction_law<FrictionLaw::cundall_strack_2d>},
+    {"viscous_friction", has_friction_law<FrictionLaw::viscous>},
     {"torsion",
      [](const S& s) {
-         return has_friction(s) && has_polygonal_patches(s) &&
-                anywhere<&Material::torsion, &PairDescription::torsion>(s);
+         return has_friction(s) && s.law.friction != FrictionLaw::cundall_strack_2d &&
+                has_polygonal_patches(s) && anywhere<&Material::torsion, &PairDescription::torsion>(s);
      }},
-    {"normal_damping", anywhere<&Material::normal_damping, &PairDescription::normal_damping>},
-    {"tangential_damping",
+    {"normal_damping", has_normal_damping},
+    {"rocking_damping",
      [](const S& s) {
-         return has_friction(s) &&
-                anywhere<&Material::tangential_damping, &PairDescription::tangential_damping>(s);
+         return has_normal_damping(s) && has_polygonal_patches(s) && s.law.damping == DampingPlace::patch;
      }},
-    {"co_rotation", [](const S& s) { return has_friction(s) && s.law.co_rotation; }},
+    {"tangential_damping", has_tangential_damping},
+    {"effective_mass",
+     [](const S& s) { return has_tangential_damping(s) && s.law.reduced_mass != ReducedMass::point; }},
+    {"patch_stiffness",
+     [](const S& s) { return has_friction(s) && s.law.tangential_stiffness == TangentialStiffness::patch; }},
+    {"co_rotation",
+     [](const S& s) { return has_friction_law<FrictionLaw::cundall_strack>(s) && s.law.co_rotation; }},
     {"pairs", [](const S& s) { return !s.pairs.empty(); }},
     {"meshes", has_shape<MeshShape>},
     {"boxes", has_shape<BoxShape>},

@@ -1,7 +1,5 @@
 #include "materials.hpp"
 
-#include <scree/scenes/features.hpp>
-
 namespace scree {
 
 namespace {
@@ -15,11 +13,6 @@ void override_named(const PairDescription& entry, PairMaterial& pair) {
     pair.torsion = entry.torsion.value_or(pair.torsion);
 }
 
-template <LawParts parts>
-void set_law_of(const SceneDescription& scene, DynamicsWorld& world) {
-    world.set_contact_law(CundallStrack<parts>{scene.law.co_rotation});
-}
-
 }  // namespace
 
 PairMaterial pair_material(const SceneDescription& scene, const std::string& a, const std::string& b) {
@@ -31,17 +24,6 @@ PairMaterial pair_material(const SceneDescription& scene, const std::string& a, 
         }
     }
     return pair;
-}
-
-void set_law(const SceneDescription& scene, DynamicsWorld& world) {
-    const Features features = scene_features(scene);
-    if (!features.uses("friction")) {
-        set_law_of<LawParts{false, false}>(scene, world);
-    } else if (!features.uses("torsion")) {
-        set_law_of<LawParts{true, false}>(scene, world);
-    } else {
-        set_law_of<LawParts{true, true}>(scene, world);
-    }
 }
 
 }  // namespace scree

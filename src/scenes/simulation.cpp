@@ -6,6 +6,7 @@
 #include "body_names.hpp"
 #include "fill.hpp"
 #include "materials.hpp"
+#include "plane_motion.hpp"
 
 namespace scree {
 
@@ -86,6 +87,7 @@ Simulation::~Simulation() = default;
 
 void Simulation::make_bodies() {
     const std::map<std::string, Solid> solids = make_solids(scene_);
+    check_plane_meshes(scene_, solids);
     notes_ = notes_of(solids);
     const std::vector<std::string> names = body_names(scene_);
     bodies_ = listed_bodies(scene_, solids);
@@ -114,7 +116,7 @@ void Simulation::make_world() {
     world_->set_mixing([this](const btRigidBody& a, const Material&, const btRigidBody& b, const Material&) {
         return pair_material(scene_, bodies_[a.getUserIndex()].material, bodies_[b.getUserIndex()].material);
     });
-    set_law(scene_, *world_);
+    world_->set_contact_law(scene_.law.friction, scene_.law);
 }
 
 void Simulation::add_to_world(std::size_t index) {

@@ -131,7 +131,7 @@ TEST_CASE("Without friction there is the normal force alone", "[contact]") {
     CHECK(out.force == Vec3(0, 0, out.normal_force));
     CHECK(out.trial.force == Vec3::Zero());
     c.pair.friction = 0.5;
-    const ContactForce without = c.force<LawParts{false, false}>();
+    const ContactForce without = c.force<LawParts{FrictionLaw::none, false}>();
     CHECK(without.force == out.force);
     CHECK(without.moment == out.moment);
 }

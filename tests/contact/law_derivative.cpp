@@ -48,7 +48,7 @@ void check_regimes(Random& random, bool co_rotation, bool torsion) {
     for (int i = 0; i < 400; ++i) {
         ContactCase c = random_case(random);
         c.geometry.flat_patch = false;
-        c.co_rotation = co_rotation;
+        c.options.co_rotation = co_rotation;
         c.pair.torsion = torsion;
         c.pair.tangential_damping *= 5;
         if (i % 2 == 0) {

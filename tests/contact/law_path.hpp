@@ -41,6 +41,7 @@ class LawPath {
     [[nodiscard]] MotionRates rates(const ContactCase& c) const {
         const Vec3& n = c.geometry.normal;
         MotionRates rates;
+        rates.xi.setZero();
         rates.volume = volume_;
         rates.volume_rate =
             c.geometry.area_vector.transpose() * velocity_ + c.geometry.area_moment().transpose() * spin_;

@@ -92,7 +92,7 @@ Seen check(const std::string& kind, double friction, bool prescribed, bool co_ro
         if (!step) {
             continue;
         }
-        ForcesOf<WholeDerivativeLaw> forces({{co_rotation}, 0.3 * radius});
+        ForcesOf<WholeDerivativeLaw> forces({{{.co_rotation = co_rotation}}, 0.3 * radius});
         const ResidualError found = residual_error(*step, forces, h, order, depth, radius);
         seen.worst = std::max(seen.worst, found.error);
         seen.stick += found.state == ContactState::stick;

@@ -3,7 +3,7 @@
 #include <array>
 #include <limits>
 
-#include <scree/contact/cundall_strack.hpp>
+#include <scree/contact/built_in_law.hpp>
 #include <scree/overlap/overlap.hpp>
 
 #include <tests/support/random.hpp>
@@ -23,7 +23,8 @@ struct ContactCase {
     double beta_h = 1e-3;
     std::array<Quat, highest_order> turn_a, turn_b;
     double cap = std::numeric_limits<double>::infinity();
-    bool co_rotation = true;
+    PairArms arms;
+    LawOptions options;
 
     ContactCase() {
         geometry.volume = 0.01 * 1e-4;
@@ -52,7 +53,7 @@ struct ContactCase {
     [[nodiscard]] ContactForce force(const MotionRates* rates = nullptr) const {
         const FrictionStep step{{std::span(past).first(order), beta_h}, turn_a, turn_b, cap};
         ContactForce out;
-        CundallStrack<parts>{co_rotation}({geometry, motion, pair, history, step, rates}, out);
+        BuiltInLaw<parts>{options}({geometry, motion, pair, history, step, arms, rates}, out);
         return out;
     }
 };
@@ -70,7 +71,8 @@ inline ContactCase random_case(Random& random) {
             c.geometry.volume = 0;
         }
     } while (c.geometry.volume < 1e-8 || c.geometry.centre_line);
-    c.pair = pair_constants({1e7, 0.4, 0.3, 0.6, 2.0 / 7, true}, {2, 0.06}, {3, 0.07});
+    c.pair = pair_constants({1e7, 0.4, 0.3, 0.6, 2.0 / 7, true}, {2, 0.06, 2e-3 * Vec3(1, 1.5, 2)},
+                            {3, 0.07, 4e-3 * Vec3(1.6, 1, 1.2)});
     c.order = 2;
     c.past = {4.0 / 3, -1.0 / 3};
     const double force = c.pair.friction * c.normal_force();
@@ -82,6 +84,7 @@ inline ContactCase random_case(Random& random) {
         c.turn_a[static_cast<std::size_t>(i)] = rotation(0.1 * random.vector());
         c.turn_b[static_cast<std::size_t>(i)] = rotation(0.1 * random.vector());
     }
+    c.arms = {0.06 * random.vector(), 0.07 * random.vector(), random.rotation(), random.rotation()};
     return c;
 }
 

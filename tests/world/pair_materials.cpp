@@ -99,7 +99,7 @@ TEST_CASE("the parts of the law that no pair needs change nothing by being left 
         scene.world->set_material(floor, smooth);
         scene.world->set_material(cube, smooth);
         if (whole_law) {
-            scene.world->set_contact_law(CundallStrack<LawParts{}>{});
+            scene.world->set_contact_law(BuiltInLaw<LawParts{}>{});
         }
         for (int i = 0; i < 30; ++i) {
             scene.world->stepSimulation(0.01, 1, 0.01);
