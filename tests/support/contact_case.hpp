@@ -43,6 +43,11 @@ struct ContactCase {
         turn_b.fill(Quat::Identity());
     }
 
+    /// (Yt/Lc) ‖S‖ [N/m].
+    [[nodiscard]] double patch_stiffness() const {
+        return pair.tangential_stiffness * geometry.area / (pair.length * pair.length);
+    }
+
     /// fn of a case at rest [N].
     [[nodiscard]] double normal_force() const { return pair.elastic * geometry.volume; }
 
@@ -55,6 +60,20 @@ struct ContactCase {
         ContactForce out;
         BuiltInLaw<parts>{options}({geometry, motion, pair, history, step, arms, rates}, out);
         return out;
+    }
+
+    /// The same by a friction law that is known when the test runs; torsion as the pair has it.
+    [[nodiscard]] ContactForce force_by(FrictionLaw friction, const MotionRates* rates = nullptr) const {
+        switch (friction) {
+            case FrictionLaw::cundall_strack:
+                return force(rates);
+            case FrictionLaw::cundall_strack_2d:
+                return force<LawParts{FrictionLaw::cundall_strack_2d}>(rates);
+            case FrictionLaw::viscous:
+                return force<LawParts{FrictionLaw::viscous}>(rates);
+            default:
+                return force<LawParts{FrictionLaw::none}>(rates);
+        }
     }
 };
 
@@ -80,7 +99,7 @@ inline ContactCase random_case(Random& random) {
     c.motion = {speed * random.vector(), speed / c.geometry.lever * random.vector()};
     for (int i = 0; i < 2; ++i) {
         const Vec3 normal = (c.geometry.normal + 0.1 * random.vector()).normalized();
-        c.history.push({force * random.vector(), normal});
+        c.history.push({force * random.vector(), normal, random.uniform(0.5, 2) * c.patch_stiffness()});
         c.turn_a[static_cast<std::size_t>(i)] = rotation(0.1 * random.vector());
         c.turn_b[static_cast<std::size_t>(i)] = rotation(0.1 * random.vector());
     }
