@@ -39,7 +39,7 @@ TEST_CASE("Several parts of one body on one other: the Jacobian agrees with diff
     double worst = 0;
     for (int i = 0; i < 30; ++i) {
         const StepCase step = table(random);
-        ForcesOf<WholeDerivativeLaw> forces({{}, 0.03});
+        ForcesOf<WholeDerivativeLaw<>> forces({{}, 0.03});
         StepProblem problem(step.system, forces);
         step.begin(problem, h);
         bool all = true;

@@ -51,7 +51,7 @@ TEST_CASE(
             CHECK(left_out > 1e-6);  // it is left out
             CHECK(left_out < 1e-2);  // and Newton gains two digits an iteration all the same
             // Rounding of the overlap, a share of edge/depth, limits the differences.
-            CHECK(worst_error(WholeDerivativeLaw{{}, 0.3 * edge}, depth, friction) <
+            CHECK(worst_error(WholeDerivativeLaw<>{{}, 0.3 * edge}, depth, friction) <
                   1e-14 * edge / depth + 1e-8);
         }
     }

@@ -105,8 +105,9 @@ struct StepCase {
 
 /// The law with the lever held at a value, and without the damping traction: what is left of it has its whole
 /// derivative.
+template <LawParts parts = LawParts{}>
 struct WholeDerivativeLaw {
-    BuiltInLaw<LawParts{}> law;
+    BuiltInLaw<parts> law;
     double lever = 0;
 
     void operator()(const ContactInput& in, ContactForce& out) const {
