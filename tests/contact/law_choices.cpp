@@ -21,7 +21,7 @@ TEST_CASE("Under every choice exchanging the bodies flips force, moment and reco
     for (const LawCombination& law : law_combinations()) {
         CAPTURE(law.name());
         double worst = 0;
-        for (int i = 0; i < 30; ++i) {
+        for (int i = 0; i < 10; ++i) {
             const ContactCase c = random_case(random, law);
             const ContactForce on_a = c.force_by(law.friction);
             const ContactForce on_b = seen_from_b(c).force_by(law.friction);
@@ -40,7 +40,7 @@ TEST_CASE("Under every choice the power adds up to what the contact takes from t
     for (const LawCombination& law : law_combinations()) {
         CAPTURE(law.name());
         double worst = 0;
-        for (int i = 0; i < 30; ++i) {
+        for (int i = 0; i < 10; ++i) {
             const ContactCase c = random_case(random, law);
             const ContactForce out = c.force_by(law.friction);
             const ContactPower& power = out.power;
@@ -59,7 +59,7 @@ TEST_CASE("Under every choice nothing exceeds the limit surface, stored or actin
     Random random(203);
     for (const LawCombination& law : law_combinations()) {
         CAPTURE(law.name());
-        for (int i = 0; i < 30; ++i) {
+        for (int i = 0; i < 10; ++i) {
             ContactCase c = random_case(random, law);
             c.geometry.flat_patch = false;  // the moment about n is then friction's alone
             const ContactForce out = c.force_by(law.friction);
