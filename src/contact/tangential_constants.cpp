@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "patch_growth.hpp"
+
 namespace scree {
 
 namespace {
@@ -15,8 +17,7 @@ void scale_by_patch(const ContactInput& in, TangentialConstants& constants) {
     if (in.rates == nullptr || area == 0) {
         return;
     }
-    const Row6 by_xi = in.geometry.area_vector.transpose() * in.geometry.boundary.topRows<3>();
-    const Row9 growth = by_xi * in.rates->xi / (area * area);
+    const Row9 growth = patch_growth(in);
     constants.vary = true;
     constants.stiffness_rate = constants.stiffness * growth;
     constants.damping_rate = 0.5 * constants.damping * growth;

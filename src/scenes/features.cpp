@@ -82,6 +82,8 @@ constexpr Feature features[] = {
      [](const S& s) {
          return has_normal_damping(s) && has_polygonal_patches(s) && s.law.damping == DampingPlace::patch;
      }},
+    {"damping_by_patch",
+     [](const S& s) { return has_normal_damping(s) && s.law.normal_damping == NormalDamping::patch; }},
     {"tangential_damping", has_tangential_damping},
     {"effective_mass",
      [](const S& s) { return has_tangential_damping(s) && s.law.reduced_mass != ReducedMass::point; }},

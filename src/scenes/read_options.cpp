@@ -15,6 +15,8 @@ constexpr Choice<FrictionLaw> friction_laws[] = {{"cundall_strack", FrictionLaw:
                                                  {"none", FrictionLaw::none}};
 constexpr Choice<DampingPlace> damping_places[] = {{"patch", DampingPlace::patch},
                                                    {"centroid", DampingPlace::centroid}};
+constexpr Choice<NormalDamping> normal_dampings[] = {{"length", NormalDamping::length},
+                                                     {"patch", NormalDamping::patch}};
 constexpr Choice<TangentialStiffness> stiffnesses[] = {{"length", TangentialStiffness::length},
                                                        {"patch", TangentialStiffness::patch},
                                                        {"no_length", TangentialStiffness::no_length}};
@@ -26,6 +28,7 @@ constexpr Field<L> law_fields[] = {
     {"normal", into<&L::normal, choice<normal_laws>>},
     {"friction", into<&L::friction, choice<friction_laws>>},
     {"damping", into<&L::damping, choice<damping_places>>},
+    {"normal_damping", into<&L::normal_damping, choice<normal_dampings>>},
     {"tangential_stiffness", into<&L::tangential_stiffness, choice<stiffnesses>>},
     {"co_rotation", into<&L::co_rotation, flag>},
     {"reduced_mass", into<&L::reduced_mass, choice<reduced_masses>>},

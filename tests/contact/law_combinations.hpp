@@ -22,7 +22,8 @@ struct LawCombination {
                stiffnesses[static_cast<int>(options.tangential_stiffness)] + ", " +
                masses[static_cast<int>(options.reduced_mass)] + (torsion ? ", torsion" : "") +
                (options.co_rotation ? ", co-rotation" : "") +
-               (options.damping == DampingPlace::patch ? ", patch damping" : "");
+               (options.damping == DampingPlace::patch ? ", patch damping" : "") +
+               (options.normal_damping == NormalDamping::patch ? ", one ratio" : "");
     }
 };
 
@@ -35,9 +36,12 @@ inline std::vector<LawCombination> law_combinations() {
              {TangentialStiffness::length, TangentialStiffness::patch, TangentialStiffness::no_length}) {
             for (const auto mass : {ReducedMass::point, ReducedMass::round, ReducedMass::exact}) {
                 for (const auto damping : {DampingPlace::patch, DampingPlace::centroid}) {
+                    const auto normal_damping =
+                        all.size() / 4 % 3 == 0 ? NormalDamping::patch : NormalDamping::length;
                     for (const bool torsion : {true, false}) {
                         for (const bool co_rotation : {true, false}) {
-                            all.push_back({friction, {damping, stiffness, mass, co_rotation}, torsion});
+                            all.push_back(
+                                {friction, {damping, normal_damping, stiffness, mass, co_rotation}, torsion});
                         }
                     }
                 }

@@ -135,7 +135,7 @@ TEST_CASE("Every choice of the law has its derivative, in stick and in slip", "[
         int stick = 0;
         int slip = 0;
         double worst = 0;
-        for (int i = 0; i < 16; ++i) {
+        for (int i = 0; i < 24; ++i) {
             ContactCase c = random_case(random, law);
             c.geometry.flat_patch = false;
             const ContactState state = c.force_by(law.friction).state;

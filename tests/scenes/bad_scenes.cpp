@@ -78,6 +78,7 @@ const BadSetting bad_settings[] = {
     {"bodies.1.name=7", "bodies.1.name: found 7, expected a name"},
     {"bodies.1.motion=stuck", "bodies.1.motion: found \"stuck\", expected \"dynamic\", \"fixed\" or"},
     {"law.co_rotation=1", "law.co_rotation: found 1, expected true or false"},
+    {"law.normal_damping=1", "law.normal_damping: found 1, expected one of \"length\", \"patch\""},
     {"law.normal=hertz", "law.normal: found \"hertz\", expected one of \"volume\""},
     {"stepping.step=fast", "stepping.step: found \"fast\", expected \"adaptive\" or a number above 0"},
     {"stepping.max_order=1.5", "stepping.max_order: found 1.5, expected a whole number from 1 to 5"},

@@ -26,7 +26,7 @@ TEST_CASE("A scene uses what it enters, and leaves out the rest", "[scenes]") {
         CAPTURE(left_out);
         CHECK_FALSE(features.uses(left_out));
     }
-    CHECK(features.used.size() + features.left_out.size() == 22);
+    CHECK(features.used.size() + features.left_out.size() == 23);
 }
 
 TEST_CASE("Friction and what hangs on it are left out together", "[scenes]") {
@@ -62,6 +62,9 @@ TEST_CASE("The law's choices are used where there is something for them to do", 
     CHECK(uses("rocking_damping", {}));
     CHECK_FALSE(uses("rocking_damping", {"law.damping=centroid"}));
     CHECK_FALSE(uses("rocking_damping", {"materials.rock.normal_damping=0"}));
+    CHECK_FALSE(uses("damping_by_patch", {}));
+    CHECK(uses("damping_by_patch", {"law.normal_damping=patch"}));
+    CHECK_FALSE(uses("damping_by_patch", {"law.normal_damping=patch", "materials.rock.normal_damping=0"}));
     CHECK_FALSE(uses("effective_mass", {"law.reduced_mass=exact", "materials.rock.tangential_damping=0"}));
     for (const char* friction : {"law.friction=cundall_strack_2d", "law.friction=viscous"}) {
         CHECK_FALSE(uses("co_rotation", {friction}));

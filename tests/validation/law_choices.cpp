@@ -59,6 +59,7 @@ std::vector<Settings> choices() {
                     {"law.friction=" + friction, "law.tangential_stiffness=" + stiffness,
                      "law.reduced_mass=" + reduced_mass,
                      number % 2 == 0 ? "law.damping=patch" : "law.damping=centroid",
+                     number % 4 < 2 ? "law.normal_damping=length" : "law.normal_damping=patch",
                      number % 3 == 0 ? "law.co_rotation=false" : "law.co_rotation=true",
                      number % 5 == 0 ? "materials.rock.torsion=false" : "materials.rock.torsion=true"});
             }

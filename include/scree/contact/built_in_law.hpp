@@ -13,7 +13,7 @@ struct BuiltInLaw {
     void operator()(const ContactInput& in, ContactForce& out) const {
         out = ContactForce{};
         Row9 normal_force_rate = Row9::Zero();
-        if (!add_normal_force(in, options.damping, out, normal_force_rate)) {
+        if (!add_normal_force(in, options, out, normal_force_rate)) {
             return;
         }
         out.state = ContactState::slip;

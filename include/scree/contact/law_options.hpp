@@ -17,6 +17,12 @@ enum class DampingPlace {
     centroid,  ///< a force at the centroid, literally as in the source
 };
 
+/// cn, the normal damping per volume and second.
+enum class NormalDamping {
+    length,  ///< γn √(Y M_red/Lc³), Eq. (5.7): a face has ζ = γn √A/(2 Lc), and corners next to none
+    patch,   ///< γn √(Y M_red/(Lc ‖S‖)): every contact has ζ = γn/2, whatever its patch
+};
+
 /// kt, the stiffness of the tangential spring.
 enum class TangentialStiffness {
     length,     ///< Yt Lc, Eq. (5.17)
@@ -34,6 +40,7 @@ enum class ReducedMass {
 /// Choices that are made while the law runs.
 struct LawOptions {
     DampingPlace damping = DampingPlace::patch;
+    NormalDamping normal_damping = NormalDamping::length;
     TangentialStiffness tangential_stiffness = TangentialStiffness::length;
     ReducedMass reduced_mass = ReducedMass::point;
     bool co_rotation =
