@@ -10,6 +10,7 @@ namespace {
 
 constexpr double softest = 0.04;             // stiffness number, hω of 0.2, up to which Newton is not needed
 constexpr std::size_t most_iterations = 12;  // of the functional corrector
+constexpr double linear_share = 0.01;        // what Newton's last step, quadratic, gains beyond its tolerance
 constexpr double least_gain = 0.7;           // ratio of successive defects, above which it does not converge
 constexpr std::size_t steps_of_newton = 20;  // after the functional corrector has failed
 
@@ -70,7 +71,7 @@ bool Corrector::iterate(StepProblem& problem, const System& system, double toler
     problem.evaluate(u, Detail::force);
     for (std::size_t i = 0; i < most_iterations; ++i) {
         const double defect = defect_norm(problem, system.bodies, gravity_);
-        if (defect <= solved_share * tolerance) {
+        if (defect <= linear_share * solved_share * tolerance) {
             return true;
         }
         if (!(defect <= least_gain * last)) {

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include <scree/bdf/stepper.hpp>
+#include <scree/dynamics/stored_force.hpp>
 
 namespace scree {
 
@@ -74,30 +75,27 @@ BodyError Stepper::body_error(std::size_t b, std::span<const double> weights) co
     return {sum.position, angle, velocity(system_.bodies[b], sum), spin(system_.bodies[b], sum)};
 }
 
-// A stuck contact's stored force is a state too: its error as the distance f/kt that it stands for, in the
-// position's weight. One that slips has its force from the limit.
+// A stuck contact's stored force is a state too: its error as the distance that it stands for, in the
+// position's weight.
 double Stepper::friction_error(const Contact& contact, const ContactResult& result,
                                std::span<const double> weights) const {
-    const ContactHistory& history = contact.history;
-    if (result.law.state != ContactState::stick || history.age + 1 < weights.size() ||
-        weights.size() - 1 > history.past.size() || !(contact.pair.tangential_stiffness > 0)) {
+    const std::size_t values = weights.size() - 1;
+    if (!remembers(contact, result, values)) {
         return 0;
     }
-    const auto a = static_cast<std::size_t>(contact.a.body);
-    const auto b = static_cast<std::size_t>(contact.b.body);
-    const auto turn = [&](std::size_t body, std::size_t j) {
-        Quat since =
-            problem_.trial()[body].pose.orientation * memory_.past.states(j)[body].orientation.conjugate();
-        return since.w() < 0 ? Quat(-since.coeffs()) : since;
-    };
-    Vec3 error = weights[0] * result.law.trial.force;
-    for (std::size_t k = 1; k < weights.size(); ++k) {
-        const FrictionRecord& record = history.past[k - 1];
-        error +=
-            weights[k] * carry(record, result.normal, turn(a, k - 1), turn(b, k - 1), true, nullptr).force;
+    std::array<Quat, highest_order> turns_a, turns_b;
+    for (std::size_t j = 0; j < values; ++j) {
+        turns_a[j] = turn_since(static_cast<std::size_t>(contact.a.body), j);
+        turns_b[j] = turn_since(static_cast<std::size_t>(contact.b.body), j);
     }
     const double size = 0.5 * contact.pair.length;  // of two like bodies the radius
-    return error.norm() / (contact.pair.tangential_stiffness * size * std::sqrt(12.0));
+    return stored_difference(contact, result, weights, turns_a, turns_b) / (size * std::sqrt(12.0));
+}
+
+Quat Stepper::turn_since(std::size_t body, std::size_t j) const {
+    const Quat before = memory_.past.states(j)[body].orientation;
+    const Quat turn = problem_.trial()[body].pose.orientation * before.conjugate();
+    return turn.w() < 0 ? Quat(-turn.coeffs()) : turn;
 }
 
 // Without enough past: half of what the new state differs from the tangent at the old one.

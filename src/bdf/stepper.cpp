@@ -8,7 +8,8 @@ namespace scree {
 namespace {
 
 constexpr double solver_share = 0.01;  // of the error tolerance, left to the solution of the equations
-constexpr double first_share = 1e-3;   // of the time to fall or move by one's own radius
+constexpr double solver_share_of_fixed = 1e-4;       // where the tolerance does not choose the step
+constexpr double first_share = 1e-3;                 // of the time to fall or move by one's own radius
 constexpr std::size_t failures_before_thorough = 4;  // of a step, with less work each
 
 }  // namespace
@@ -89,10 +90,11 @@ StepOutcome Stepper::step(double end) {
 
 Stepper::Attempt Stepper::attempt(double time) {
     predict(time);
-    const double allowed = allowed_error(memory_.order);
+    const double share = options_.fixed_step > 0 ? solver_share_of_fixed : solver_share;
+    const double allowed = share * allowed_error(memory_.order);
     const bool last_resort = options_.fixed_step > 0 || failures_ >= failures_before_thorough;
     const bool solved =
-        corrector_.solve(problem_, system_, solver_share * allowed, memory_.stiffness,
+        corrector_.solve(problem_, system_, allowed, memory_.stiffness,
                          last_resort ? Persistence::thorough : Persistence::brief, memory_.patience, u_);
     statistics_.newton.add(corrector_.take_statistics());
     if (!solved) {

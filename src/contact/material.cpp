@@ -26,6 +26,13 @@ double reduced_mass(const BodySize& a, const BodySize& b) {
     return 1 / (1 / a.mass + 1 / b.mass);
 }
 
+double round_mass(const BodySize& a, const BodySize& b) {
+    const auto turning = [](const BodySize& body) {
+        return std::isinf(body.mass) ? 0 : body.radius * body.radius / body.inertia.mean();
+    };
+    return 1 / (1 / a.mass + 1 / b.mass + turning(a) + turning(b));
+}
+
 PairConstants pair_constants(const PairMaterial& material, const BodySize& a, const BodySize& b) {
     PairConstants pair;
     const double y = material.youngs_modulus;
@@ -34,12 +41,15 @@ PairConstants pair_constants(const PairMaterial& material, const BodySize& a, co
     const double tangential = material.tangential_ratio * y;
     pair.length = length;
     pair.reduced_mass = mass;
+    pair.round_mass = round_mass(a, b);
     pair.elastic = y / length;
     pair.normal_damping = material.normal_damping * std::sqrt(y / length * mass) / length;
     pair.tangential_stiffness = tangential * length;
     pair.tangential_damping = material.tangential_damping * std::sqrt(tangential * mass * length);
     pair.friction = material.friction;
     pair.torsion = material.torsion;
+    pair.inverse_inertia_a = a.inertia.cwiseInverse();
+    pair.inverse_inertia_b = b.inertia.cwiseInverse();
     return pair;
 }
 

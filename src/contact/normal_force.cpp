@@ -1,16 +1,42 @@
 #include <scree/contact/normal_force.hpp>
 
+#include <cmath>
+
+#include "patch_growth.hpp"
+
 namespace scree {
 
 namespace {
+
+// cn [N s/m³] and, where it varies, its relative change.
+struct DampingConstant {
+    double value = 0;
+    Row9 growth = Row9::Zero();
+};
+
+DampingConstant damping_constant(const ContactInput& in, NormalDamping kind) {
+    DampingConstant damping{in.pair.normal_damping};
+    if (kind == NormalDamping::length) {
+        return damping;
+    }
+    // Where S vanishes the overlap's own size stands for it.
+    const ContactGeometry& g = in.geometry;
+    const double area = g.centre_line ? std::pow(g.volume, 2.0 / 3) : g.area;
+    damping.value *= in.pair.length / std::sqrt(area);
+    if (in.rates != nullptr) {
+        damping.growth =
+            g.centre_line ? Row9(in.rates->volume / (-3 * g.volume)) : Row9(-0.5 * patch_growth(in));
+    }
+    return damping;
+}
 
 // The traction cn (n_A·v_rel) n on the patch, its moment about the centroid. The mean of the integrals over
 // A's and over B's surface is taken, so that the bodies' order does not matter; they differ by the overlap's
 // volume. The derivative follows the motion and leaves the patch's own change out, which is of higher order
 // in the overlap.
-void add_rocking_damping(const ContactInput& in, ContactForce& out) {
+void add_rocking_damping(const ContactInput& in, double damping, ContactForce& out) {
     const ContactGeometry& g = in.geometry;
-    const Mat3 across = -in.pair.normal_damping * cross_matrix(g.normal);
+    const Mat3 across = -damping * cross_matrix(g.normal);
     const Mat3 by_velocity = across * (g.first_moment - 0.5 * g.volume * Mat3::Identity());
     const Mat3 by_spin = across * g.second_moment;
     out.moment += by_velocity * in.motion.velocity + by_spin * in.motion.spin;
@@ -26,7 +52,8 @@ double volume_rate(const ContactGeometry& geometry, const RelativeMotion& motion
     return geometry.area_vector.dot(motion.velocity) + geometry.area_moment().dot(motion.spin);
 }
 
-bool add_normal_force(const ContactInput& in, ContactForce& out, Row9& normal_force_rate) {
+bool add_normal_force(const ContactInput& in, const LawOptions& options, ContactForce& out,
+                      Row9& normal_force_rate) {
     const ContactGeometry& g = in.geometry;
     const double elastic = in.pair.elastic * g.volume;
     const double stored = -elastic * g.normal.dot(in.motion.velocity);
@@ -36,20 +63,24 @@ bool add_normal_force(const ContactInput& in, ContactForce& out, Row9& normal_fo
         out.power.normal_elastic = stored;
     }
     out.power.normal_damping = -stored;  // less the work of the force, below
-    const double fn = elastic + in.pair.normal_damping * volume_rate(g, in.motion);
+    const DampingConstant damping = damping_constant(in, options.normal_damping);
+    const double damped = damping.value * volume_rate(g, in.motion);
+    const double fn = elastic + damped;
     if (!(fn > 0)) {
         return false;
     }
     out.normal_force = fn;
     out.force += fn * g.normal;
     if (in.rates != nullptr) {
-        normal_force_rate =
-            in.pair.elastic * in.rates->volume + in.pair.normal_damping * in.rates->volume_rate;
+        normal_force_rate = in.pair.elastic * in.rates->volume + damping.value * in.rates->volume_rate;
+        if (options.normal_damping != NormalDamping::length) {
+            normal_force_rate += damped * damping.growth;
+        }
         out.force_rate.noalias() += g.normal * normal_force_rate;
         out.force_rate.noalias() += fn * in.rates->normal;
     }
-    if (g.flat_patch) {
-        add_rocking_damping(in, out);
+    if (g.flat_patch && options.damping == DampingPlace::patch) {
+        add_rocking_damping(in, damping.value, out);
     }
     out.power.normal = -(out.force.dot(in.motion.velocity) + out.moment.dot(in.motion.spin));
     out.power.normal_damping += out.power.normal;

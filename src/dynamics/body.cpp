@@ -2,6 +2,14 @@
 
 namespace scree {
 
+BodySize body_size(const Body& body) {
+    BodySize size{body.mass, body.radius};
+    if (body.dynamic()) {
+        size.inertia = body.inertia;
+    }
+    return size;
+}
+
 Mat3 world_inertia(const Body& body, const Quat& orientation) {
     const Mat3 axes = orientation.toRotationMatrix();
     return axes * body.inertia.asDiagonal() * axes.transpose();

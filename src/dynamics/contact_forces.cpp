@@ -17,6 +17,8 @@ bool locate(const Contact& contact, const TrialBody& a, const TrialBody& b, Deta
     }
     arms.a = geometry.centroid + a.pose.orientation * contact.a.local.position;
     arms.b = arms.a + (a.pose.position - b.pose.position);
+    arms.frame_a = a.pose.orientation;
+    arms.frame_b = b.pose.orientation;
     return true;
 }
 

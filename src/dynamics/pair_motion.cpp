@@ -23,7 +23,7 @@ void motion_rates(const ContactGeometry& g, const RelativeMotion& motion, const 
     const Mat3 arm_b = cross_matrix(arms.b);
     const Vec3 area_moment = g.area_moment();
 
-    Mat69 xi;  // (u, θ) of A against B about the centroid
+    Mat69& xi = rates.xi;
     xi << beta_h * Mat3::Identity(), -arm_a * a.turn_rate, arm_b * b.turn_rate,  //
         Mat3::Zero(), a.turn_rate, -b.turn_rate;
     rates.turn_a.setZero();

@@ -89,7 +89,7 @@ void BulletEngine::step_to(double time) {
     steps.smallest_step = std::min(steps.smallest_step, step);
     steps.largest_step = std::max(steps.largest_step, step);
     steps.time_stepped += step;
-    report_.contact_evaluations += static_cast<std::size_t>(dispatcher_.getNumManifolds());
+    report_.all_steps.contact_evaluations += static_cast<std::size_t>(dispatcher_.getNumManifolds());
     report_.time = time;
 }
 

@@ -4,6 +4,7 @@
 
 #include "body_names.hpp"
 #include "json_text.hpp"
+#include "plane_motion.hpp"
 
 namespace scree {
 
@@ -143,6 +144,7 @@ void check_scene(const SceneDescription& scene) {
         check_fill(scene);
         check_size(scene);
         check_duration(scene);
+        check_plane_motion(scene);
         body_names(scene);
     } catch (const SceneError& error) {
         throw error.in_file(scene.file.string());

@@ -42,7 +42,8 @@ void add_law(const SceneDescription& scene, Lines& lines) {
     const LawDescription& law = scene.law;
     Line(lines) << "law: normal " << word_of(normal_laws, law.normal) << ", friction "
                 << word_of(friction_laws, law.friction) << ", damping "
-                << word_of(damping_places, law.damping) << ", tangential stiffness "
+                << word_of(damping_places, law.damping) << ", normal damping by "
+                << word_of(normal_dampings, law.normal_damping) << ", tangential stiffness "
                 << word_of(tangential_stiffnesses, law.tangential_stiffness) << ", co-rotation "
                 << (law.co_rotation ? "on" : "off") << ", reduced mass "
                 << word_of(reduced_masses, law.reduced_mass);
@@ -62,7 +63,8 @@ void add_stepping(const SceneDescription& scene, Lines& lines) {
     }
     if (stepping.method == SteppingMethod::bdf) {
         line << ", orders 1 to " << stepping.max_order << ", rtol " << stepping.rtol << ", atol "
-             << stepping.atol << ", solver " << word_of(solver_choices, stepping.solver);
+             << stepping.atol << ", solver " << word_of(solver_choices, stepping.solver)
+             << (stepping.sleep ? ", groups at rest sleep" : "");
     }
 }
 

@@ -56,6 +56,20 @@ bool has_polygonal_patches(const S& scene) {
     return has_shape<MeshShape>(scene) || has_shape<BoxShape>(scene);
 }
 
+template <FrictionLaw law>
+bool has_friction_law(const S& scene) {
+    return by_law(scene) && has_friction(scene) && scene.law.friction == law;
+}
+
+bool has_normal_damping(const S& scene) {
+    return anywhere<&Material::normal_damping, &PairDescription::normal_damping>(scene);
+}
+
+bool has_tangential_damping(const S& scene) {
+    return by_law(scene) && has_friction(scene) &&
+           anywhere<&Material::tangential_damping, &PairDescription::tangential_damping>(scene);
+}
+
 struct Feature {
     const char* name;
     bool (*used)(const S&);
@@ -64,18 +78,32 @@ struct Feature {
 constexpr Feature features[] = {
     {"gravity", [](const S& s) { return s.gravity != Vec3::Zero(); }},
     {"friction", has_friction},
+    {"plane_friction", has_friction_law<FrictionLaw::cundall_strack_2d>},
+    {"viscous_friction", has_friction_law<FrictionLaw::viscous>},
     {"torsion",
      [](const S& s) {
-         return by_law(s) && has_friction(s) && has_polygonal_patches(s) &&
-                anywhere<&Material::torsion, &PairDescription::torsion>(s);
+         return by_law(s) && has_friction(s) && s.law.friction != FrictionLaw::cundall_strack_2d &&
+                has_polygonal_patches(s) && anywhere<&Material::torsion, &PairDescription::torsion>(s);
      }},
-    {"normal_damping", anywhere<&Material::normal_damping, &PairDescription::normal_damping>},
-    {"tangential_damping",
+    {"normal_damping", has_normal_damping},
+    {"rocking_damping",
      [](const S& s) {
-         return by_law(s) && has_friction(s) &&
-                anywhere<&Material::tangential_damping, &PairDescription::tangential_damping>(s);
+         return by_law(s) && has_normal_damping(s) && has_polygonal_patches(s) &&
+                s.law.damping == DampingPlace::patch;
      }},
-    {"co_rotation", [](const S& s) { return by_law(s) && has_friction(s) && s.law.co_rotation; }},
+    {"damping_by_patch",
+     [](const S& s) {
+         return by_law(s) && has_normal_damping(s) && s.law.normal_damping == NormalDamping::patch;
+     }},
+    {"tangential_damping", has_tangential_damping},
+    {"effective_mass",
+     [](const S& s) { return has_tangential_damping(s) && s.law.reduced_mass != ReducedMass::point; }},
+    {"patch_stiffness",
+     [](const S& s) {
+         return by_law(s) && has_friction(s) && s.law.tangential_stiffness == TangentialStiffness::patch;
+     }},
+    {"co_rotation",
+     [](const S& s) { return has_friction_law<FrictionLaw::cundall_strack>(s) && s.law.co_rotation; }},
     {"elasticity", by_law},
     {"pairs", [](const S& s) { return !s.pairs.empty(); }},
     {"meshes", has_shape<MeshShape>},
@@ -89,6 +117,7 @@ constexpr Feature features[] = {
     {"newton", [](const S& s) { return s.stepping.method == SteppingMethod::bdf; }},
     {"error_control", [](const S& s) { return !s.stepping.step; }},
     {"energy_ledger", by_law},
+    {"sleep", [](const S& s) { return s.stepping.sleep && s.stepping.method == SteppingMethod::bdf; }},
     {"bullet_solver", by_bullet},
 };
 

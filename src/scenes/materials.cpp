@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include <scree/scenes/features.hpp>
 #include <scree/world/automatic_material.hpp>
 
 namespace scree {
@@ -16,11 +15,6 @@ void override_named(const PairDescription& entry, PairMaterial& pair) {
     pair.tangential_damping = entry.tangential_damping.value_or(pair.tangential_damping);
     pair.tangential_ratio = entry.tangential_ratio.value_or(pair.tangential_ratio);
     pair.torsion = entry.torsion.value_or(pair.torsion);
-}
-
-template <LawParts parts>
-void set_law_of(const SceneDescription& scene, DynamicsWorld& world) {
-    world.set_contact_law(CundallStrack<parts>{scene.law.co_rotation});
 }
 
 }  // namespace
@@ -38,17 +32,6 @@ PairMaterial pair_material(const SceneDescription& scene, const std::string& a, 
 
 double pair_restitution(const PairMaterial& pair) {
     return restitution(std::min(1.0, pair.normal_damping / normal_damping(1)));
-}
-
-void set_law(const SceneDescription& scene, DynamicsWorld& world) {
-    const Features features = scene_features(scene);
-    if (!features.uses("friction")) {
-        set_law_of<LawParts{false, false}>(scene, world);
-    } else if (!features.uses("torsion")) {
-        set_law_of<LawParts{true, false}>(scene, world);
-    } else {
-        set_law_of<LawParts{true, true}>(scene, world);
-    }
 }
 
 }  // namespace scree

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <scree/scenes/scene_description.hpp>
-#include <scree/world/dynamics_world.hpp>
 
 namespace scree {
 
@@ -11,8 +10,5 @@ PairMaterial pair_material(const SceneDescription& scene, const std::string& a, 
 /// The restitution that Bullet's own solver takes for a pair: that of its damping ratio at a face of area
 /// Lc², at most 1.
 double pair_restitution(const PairMaterial& pair);
-
-/// The contact law that the scene asks for, without the parts that it cannot enter.
-void set_law(const SceneDescription& scene, DynamicsWorld& world);
 
 }  // namespace scree

@@ -15,6 +15,8 @@ inline constexpr Choice<FrictionLaw> friction_laws[] = {{"cundall_strack", Frict
                                                         {"none", FrictionLaw::none}};
 inline constexpr Choice<DampingPlace> damping_places[] = {{"patch", DampingPlace::patch},
                                                           {"centroid", DampingPlace::centroid}};
+inline constexpr Choice<NormalDamping> normal_dampings[] = {{"length", NormalDamping::length},
+                                                            {"patch", NormalDamping::patch}};
 inline constexpr Choice<TangentialStiffness> tangential_stiffnesses[] = {
     {"length", TangentialStiffness::length},
     {"patch", TangentialStiffness::patch},
@@ -27,9 +29,8 @@ inline constexpr Choice<SteppingMethod> stepping_methods[] = {
     {"verlet", SteppingMethod::verlet},
     {"symplectic_euler", SteppingMethod::symplectic_euler},
     {"bullet", SteppingMethod::bullet}};
-inline constexpr Choice<SolverChoice> solver_choices[] = {{"auto", SolverChoice::automatic},
-                                                          {"newton", SolverChoice::newton},
-                                                          {"fixed_point", SolverChoice::fixed_point}};
+inline constexpr Choice<Solver> solver_choices[] = {
+    {"auto", Solver::automatic}, {"newton", Solver::newton}, {"fixed_point", Solver::fixed_point}};
 
 /// The word of a table for a value that it has.
 template <class E, std::size_t count>

@@ -13,6 +13,7 @@ constexpr Field<L> law_fields[] = {
     {"normal", into<&L::normal, choice<normal_laws>>},
     {"friction", into<&L::friction, choice<friction_laws>>},
     {"damping", into<&L::damping, choice<damping_places>>},
+    {"normal_damping", into<&L::normal_damping, choice<normal_dampings>>},
     {"tangential_stiffness", into<&L::tangential_stiffness, choice<tangential_stiffnesses>>},
     {"co_rotation", into<&L::co_rotation, flag>},
     {"reduced_mass", into<&L::reduced_mass, choice<reduced_masses>>},
@@ -51,6 +52,7 @@ constexpr Field<S> stepping_fields[] = {
     {"rtol", into<&S::rtol, fraction>},
     {"atol", into<&S::atol, fraction>},
     {"solver", into<&S::solver, choice<solver_choices>>},
+    {"sleep", into<&S::sleep, flag>},
     {"iterations", into<&S::iterations, iterations>},
 };
 

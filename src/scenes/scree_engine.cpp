@@ -24,6 +24,8 @@ SteppingOptions stepping_options(const SceneDescription& scene) {
     options.method = world_method(scene.stepping.method);
     options.max_order = static_cast<std::size_t>(scene.stepping.max_order);
     options.fixed_step = scene.stepping.step.value_or(0);
+    options.solver = scene.stepping.solver;
+    options.sleep = scene.stepping.sleep;
     options.tolerances = {scene.stepping.rtol, scene.stepping.atol, scene.gravity.norm()};
     return options;
 }
@@ -37,7 +39,7 @@ ScreeEngine::ScreeEngine(const SceneDescription& scene) : scene_(scene) {
         return pair_material(scene_, materials_[static_cast<std::size_t>(a.getUserIndex())],
                              materials_[static_cast<std::size_t>(b.getUserIndex())]);
     });
-    set_law(scene, world_);
+    world_.set_contact_law(scene.law.friction, scene.law);
 }
 
 void ScreeEngine::add(SimulationBody& body, const MaterialDescription& material) {

@@ -8,6 +8,7 @@
 #include "body_names.hpp"
 #include "engine.hpp"
 #include "fill.hpp"
+#include "plane_motion.hpp"
 
 namespace scree {
 
@@ -92,6 +93,7 @@ Simulation::~Simulation() = default;
 
 void Simulation::make_bodies() {
     solids_ = make_solids(scene_);
+    check_plane_meshes(scene_, solids_);
     notes_ = notes_of(solids_);
     const std::vector<std::string> names = body_names(scene_);
     bodies_ = listed_bodies(scene_, solids_);

@@ -50,6 +50,10 @@ void DynamicsWorld::set_forces(std::unique_ptr<ContactForces> forces) {
     implementation_->law().set(std::move(forces));
 }
 
+void DynamicsWorld::set_contact_law(FrictionLaw friction, const LawOptions& options) {
+    implementation_->law().set(friction, options);
+}
+
 const StepReport& DynamicsWorld::step_report() const {
     return implementation_->report();
 }

@@ -11,6 +11,8 @@ class LawChoice final : public ContactForces {
   public:
     /// Null: the built-in law.
     void set(std::unique_ptr<ContactForces> forces) { given_ = std::move(forces); }
+    /// The built-in law, with other choices.
+    void set(FrictionLaw friction, const LawOptions& options);
 
     /// For the evaluations that follow.
     void choose(std::span<const Contact> contacts);
@@ -18,18 +20,18 @@ class LawChoice final : public ContactForces {
     void evaluate(std::span<const Contact> contacts, std::span<const TrialBody> bodies,
                   const StepFormulas& formulas, Detail detail,
                   std::span<ContactResult> results) const override {
-        current_->evaluate(contacts, bodies, formulas, detail, results);
+        (given_ ? given_ : built_in_)->evaluate(contacts, bodies, formulas, detail, results);
     }
 
   private:
-    template <LawParts parts>
-    using BuiltIn = ForcesOf<CundallStrack<parts>>;
+    [[nodiscard]] LawParts needed(std::span<const Contact> contacts) const;
 
     std::unique_ptr<ContactForces> given_;
-    BuiltIn<LawParts{.friction = true, .torsion = true}> whole_{{}};
-    BuiltIn<LawParts{.friction = true, .torsion = false}> without_torsion_{{}};
-    BuiltIn<LawParts{.friction = false, .torsion = false}> frictionless_{{}};
-    ContactForces* current_ = &whole_;
+    FrictionLaw friction_ = FrictionLaw::cundall_strack;
+    LawOptions options_;
+    LawParts parts_;  ///< of the built-in law as it is
+    std::unique_ptr<ContactForces> built_in_ =
+        std::make_unique<ForcesOf<BuiltInLaw<LawParts{}>>>(BuiltInLaw<LawParts{}>{});
 };
 
 }  // namespace scree

@@ -27,8 +27,8 @@ Material Materials::of(const WorldBody& body, const Body& physical, double gravi
 
 PairConstants Materials::constants(std::span<const WorldBody> bodies, std::span<const Body> physical,
                                    std::size_t a, std::size_t b) const {
-    return pair_constants(pair(bodies[a], known_[a], bodies[b], known_[b]),
-                          {physical[a].mass, physical[a].radius}, {physical[b].mass, physical[b].radius});
+    return pair_constants(pair(bodies[a], known_[a], bodies[b], known_[b]), body_size(physical[a]),
+                          body_size(physical[b]));
 }
 
 PairMaterial Materials::pair(const WorldBody& a, const Known& known_a, const WorldBody& b,

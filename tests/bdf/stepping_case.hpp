@@ -13,7 +13,7 @@ struct SteppingCase {
     std::vector<std::unique_ptr<Shape>> shapes;
     double gravity = 0;
     EnergyAccount account;
-    ForcesOf<CundallStrack<LawParts{}>> forces{CundallStrack<LawParts{}>{}};
+    ForcesOf<BuiltInLaw<LawParts{}>> forces{BuiltInLaw<LawParts{}>{}};
 
     int add_ground(Shape shape) {
         shapes.push_back(std::make_unique<Shape>(std::move(shape)));
@@ -36,8 +36,7 @@ struct SteppingCase {
         return static_cast<int>(system.bodies.size()) - 1;
     }
     [[nodiscard]] BodySize size(int body) const {
-        const Body& own = system.bodies[static_cast<std::size_t>(body)];
-        return {own.mass, own.radius};
+        return body_size(system.bodies[static_cast<std::size_t>(body)]);
     }
     PairConstants& touch(int a, int b, const PairMaterial& material) {
         Contact contact;

@@ -105,7 +105,7 @@ double contact_time(const Scenario& s, Detail detail) {
     for (int i = 0; i < other; ++i) {
         step.add_contact(i, other).history.push({Vec3(0.1, 0.2, 0), Vec3::UnitZ()});
     }
-    ForcesOf<CundallStrack<LawParts{}>> forces({});
+    ForcesOf<BuiltInLaw<LawParts{}>> forces({});
     StepProblem problem(step.system, forces);
     step.begin(problem, 1e-9, 1, detail);
     std::vector<ContactResult> results(step.system.contacts.size());

@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <scree/contact/carried_force.hpp>
 #include <tests/support/contact_case.hpp>
 #include <tests/support/order.hpp>
 #include <tests/support/overlaps.hpp>
@@ -94,7 +95,7 @@ TEST_CASE("A pair that turns rigidly about n keeps its inner force, and the lite
         c.turn_a[0] = c.turn_b[0] = turn;
         const Vec3 expected = turn * Vec3(1, 0.5, 0.3);
         CHECK(deviation(c.force().trial.force, expected, 1) < rounding);
-        c.co_rotation = false;
+        c.options.co_rotation = false;
         CHECK(deviation(c.force().trial.force, Vec3(1, 0.5, 0.3), 1) < rounding);
         CHECK((c.force().trial.force - expected).norm() > 0.5 * std::abs(angle));
     }
@@ -121,7 +122,7 @@ TEST_CASE(
     const double whole = 2.0;  // [rad], in so many equal steps
     const auto error_after = [&](int steps, std::size_t order, bool co_rotation) {
         ContactCase c;
-        c.co_rotation = co_rotation;
+        c.options.co_rotation = co_rotation;
         const double angle = whole / steps;
         const auto turn = [&](int i) { return turned(i * angle, axis); };
         c.history.push({turn(-1) * stored, turn(-1) * Vec3::UnitZ()});

@@ -77,14 +77,20 @@ TEST_CASE(
     ContactCase c = undamped();
     const double limit = c.pair.friction * c.normal_force();
     double scalar = 0;
+    int stick = 0;
+    int slip = 0;
     for (int i = 0; i < 400; ++i) {
-        const double speed = 3e-5 * std::sin(0.05 * i);  // to and fro, into slip on either side
+        const double speed = 0.01 * std::sin(0.05 * i);  // to and fro, into slip on either side
         c.motion.velocity = {0, speed, 0};
-        scalar = std::clamp(scalar - c.pair.tangential_stiffness * c.beta_h * speed, -limit, limit);
+        const double free = scalar - c.pair.tangential_stiffness * c.beta_h * speed;
+        scalar = std::clamp(free, -limit, limit);
+        (scalar == free ? stick : slip) += 1;
         const ContactForce out = c.force();
         CHECK(deviation(out.trial.force, Vec3(0, scalar, 0), limit) < 1e-12);
         c.history.push(out.trial);
     }
+    CHECK(stick > 50);
+    CHECK(slip > 50);
 }
 
 TEST_CASE("Eq. (5.15) at order two takes 4/3 of the last force less 1/3 of the one before", "[contact]") {
@@ -131,7 +137,7 @@ TEST_CASE("Without friction there is the normal force alone", "[contact]") {
     CHECK(out.force == Vec3(0, 0, out.normal_force));
     CHECK(out.trial.force == Vec3::Zero());
     c.pair.friction = 0.5;
-    const ContactForce without = c.force<LawParts{false, false}>();
+    const ContactForce without = c.force<LawParts{FrictionLaw::none, false}>();
     CHECK(without.force == out.force);
     CHECK(without.moment == out.moment);
 }

@@ -1,5 +1,6 @@
 #include <catch2/catch.hpp>
 
+#include <tests/contact/law_combinations.hpp>
 #include <tests/contact/law_path.hpp>
 #include <tests/support/finite_difference.hpp>
 
@@ -11,15 +12,16 @@ using Eigen::VectorXd;
 namespace {
 
 // The law's derivative against differences: force over its size, moment over force and lever.
-double law_error(const ContactCase& c, const LawPath& path) {
+double law_error(const ContactCase& c, const LawPath& path,
+                 FrictionLaw friction = FrictionLaw::cundall_strack) {
     const auto f = [&](const VectorXd& x) -> VectorXd {
-        const ContactForce out = path.at(c, x).force();
+        const ContactForce out = path.at(c, x).force_by(friction);
         VectorXd all(6);
         all << out.force, out.moment;
         return all;
     };
     const MotionRates rates = path.rates(c);
-    const ContactForce out = c.force(&rates);
+    const ContactForce out = c.force_by(friction, &rates);
     MatrixXd jacobian(6, 9);
     jacobian << out.force_rate, out.moment_rate;
     VectorXd rows(6);
@@ -48,7 +50,7 @@ void check_regimes(Random& random, bool co_rotation, bool torsion) {
     for (int i = 0; i < 400; ++i) {
         ContactCase c = random_case(random);
         c.geometry.flat_patch = false;
-        c.co_rotation = co_rotation;
+        c.options.co_rotation = co_rotation;
         c.pair.torsion = torsion;
         c.pair.tangential_damping *= 5;
         if (i % 2 == 0) {
@@ -124,4 +126,27 @@ TEST_CASE("A contact that starts afresh, or has lost its direction, has the righ
     lost.history.past[0] = {lost.geometry.normal, lost.geometry.normal.unitOrthogonal()};
     REQUIRE(lost.force().lost_direction);
     CHECK(law_error(lost, LawPath(random, lost, false)) < 1e-8);  // any tilt would find it again
+}
+
+TEST_CASE("Every choice of the law has its derivative, in stick and in slip", "[contact]") {
+    Random random(145);
+    for (const LawCombination& law : law_combinations()) {
+        CAPTURE(law.name());
+        int stick = 0;
+        int slip = 0;
+        double worst = 0;
+        for (int i = 0; i < 24; ++i) {
+            ContactCase c = random_case(random, law);
+            c.geometry.flat_patch = false;
+            const ContactState state = c.force_by(law.friction).state;
+            if (state != ContactState::open) {
+                worst = std::max(worst, law_error(c, LawPath(random, c), law.friction));
+                stick += state == ContactState::stick;
+                slip += state == ContactState::slip;
+            }
+        }
+        CHECK(stick >= 1);
+        CHECK(slip >= 1);
+        CHECK(worst < 1e-8);
+    }
 }

@@ -4,9 +4,9 @@
 
 namespace scree::test {
 
-/// A smooth way for what a law sees to depend on nine unknowns, with random rates: V, n, the relative motion
-/// and the turns of the bodies. S and the patch's moments stay, and so does r̄, whose change the law's
-/// derivative leaves out.
+/// A smooth way for what a law sees to depend on nine unknowns, with random rates: V, S, n, the relative
+/// motion, the arms and the turns of the bodies. The patch's moments stay, and so does r̄, whose change the
+/// law's derivative leaves out. n need not follow S: a law must not ask.
 class LawPath {
   public:
     LawPath(Random& random, const ContactCase& c, bool geometry_moves = true) {
@@ -23,14 +23,27 @@ class LawPath {
         spin_ = matrix(0.3 * c.motion.spin.norm());
         turn_a_ = matrix(0.3);
         turn_b_ = matrix(0.3);
+        arm_a_ = matrix(0.3 * c.arms.a.norm());
+        arm_b_ = matrix(0.3 * c.arms.b.norm());
+        const Mat36 by_xi = c.geometry.boundary.topRows<3>();
+        const double most = by_xi.norm();
+        const double motion = geometry_moves && most > 0 ? 0.3 * c.geometry.area / most : 0;
+        xi_ << matrix(motion), matrix(motion);
+        area_vector_ = by_xi * xi_;
     }
 
     [[nodiscard]] ContactCase at(const ContactCase& start, const Eigen::VectorXd& x) const {
         ContactCase c = start;
         c.geometry.volume += volume_ * x;
+        c.geometry.area_vector += area_vector_ * x;
+        c.geometry.area = c.geometry.area_vector.norm();
         c.geometry.normal = (start.geometry.normal + normal_ * x).normalized();
         c.motion.velocity += velocity_ * x;
         c.motion.spin += spin_ * x;
+        c.arms.a += arm_a_ * x;
+        c.arms.b += arm_b_ * x;
+        c.arms.frame_a = rotation(turn_a_ * x) * start.arms.frame_a;
+        c.arms.frame_b = rotation(turn_b_ * x) * start.arms.frame_b;
         for (std::size_t j = 0; j < highest_order; ++j) {
             c.turn_a[j] = rotation(turn_a_ * x) * start.turn_a[j];
             c.turn_b[j] = rotation(turn_b_ * x) * start.turn_b[j];
@@ -41,22 +54,25 @@ class LawPath {
     [[nodiscard]] MotionRates rates(const ContactCase& c) const {
         const Vec3& n = c.geometry.normal;
         MotionRates rates;
+        rates.xi = xi_;
         rates.volume = volume_;
-        rates.volume_rate =
-            c.geometry.area_vector.transpose() * velocity_ + c.geometry.area_moment().transpose() * spin_;
+        rates.volume_rate = c.geometry.area_vector.transpose() * velocity_ +
+                            c.geometry.area_moment().transpose() * spin_ +
+                            c.motion.velocity.transpose() * area_vector_;
         rates.normal = (Mat3::Identity() - n * n.transpose()) * normal_;
         rates.velocity = velocity_;
         rates.spin = spin_;
         rates.turn_a = turn_a_;
         rates.turn_b = turn_b_;
-        rates.arm_a.setZero();
-        rates.arm_b.setZero();
+        rates.arm_a = arm_a_;
+        rates.arm_b = arm_b_;
         return rates;
     }
 
   private:
     Row9 volume_;
-    Mat39 normal_, velocity_, spin_, turn_a_, turn_b_;
+    Mat69 xi_;
+    Mat39 area_vector_, normal_, velocity_, spin_, turn_a_, turn_b_, arm_a_, arm_b_;
 };
 
 }  // namespace scree::test

@@ -87,7 +87,7 @@ TEST_CASE("What an answer held before does not matter", "[contact]") {
     ContactForce out;
     const auto ask = [&](const ContactCase& c) {
         const FrictionStep step{{std::span(c.past).first(c.order), c.beta_h}, c.turn_a, c.turn_b, c.cap};
-        CundallStrack<LawParts{}>{}({c.geometry, c.motion, c.pair, c.history, step, nullptr}, out);
+        BuiltInLaw<LawParts{}>{}({c.geometry, c.motion, c.pair, c.history, step, c.arms, nullptr}, out);
         return numbers(out);
     };
     const std::vector<double> fresh = ask(second);

@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-#include <tests/support/contact_case.hpp>
+#include <tests/contact/seen_from_b.hpp>
 #include <tests/support/overlaps.hpp>
 
 using namespace scree;
@@ -10,26 +10,16 @@ using namespace scree::test;
 
 namespace {
 
-// The same contact with the roles of the bodies exchanged.
-ContactCase seen_from_b(const ContactCase& c) {
-    ContactCase other = c;
-    other.geometry = exchanged(c.geometry, Vec3::Zero());
-    other.motion = {-c.motion.velocity, -c.motion.spin};
-    for (FrictionRecord& record : other.history.past) {
-        record = {-record.force, -record.normal};
-    }
-    std::swap(other.turn_a, other.turn_b);
-    return other;
-}
-
 // The same contact in other axes.
 ContactCase turned_case(const ContactCase& c, const Quat& turn) {
     ContactCase other = c;
     rotate(other.geometry, turn.toRotationMatrix());
     other.motion = {turn * c.motion.velocity, turn * c.motion.spin};
     for (FrictionRecord& record : other.history.past) {
-        record = {turn * record.force, turn * record.normal};
+        record.force = turn * record.force;
+        record.normal = turn * record.normal;
     }
+    other.arms = {turn * c.arms.a, turn * c.arms.b, turn * c.arms.frame_a, turn * c.arms.frame_b};
     for (std::size_t j = 0; j < highest_order; ++j) {
         other.turn_a[j] = turn * c.turn_a[j] * turn.conjugate();
         other.turn_b[j] = turn * c.turn_b[j] * turn.conjugate();

@@ -10,12 +10,17 @@ using namespace scree::test;
 
 namespace {
 
-// The speed after a central impact with a face of area A over the speed before, by the law itself: x is the
-// depth, integrated by the classical Runge–Kutta method until the force has gone.
-double restitution(ContactCase c, double mass, double speed, int steps_a_period) {
+// The speed after a central impact over the speed before, by the law itself: x is the depth, integrated by
+// the classical Runge–Kutta method until the force has gone. The volume grows with the depth to a power: 1
+// for a face, whose area the case has, 2 for an edge or a ball, 3 for a corner.
+double restitution(ContactCase c, double mass, double speed, int steps_a_period, int power = 1) {
     const double area = c.geometry.area;
+    const double reach = 1e-3;  // depth [m] at which the patch has that area
     const auto acceleration = [&](double depth, double rate) {
-        c.geometry.volume = area * std::max(depth, 0.0);
+        const double share = std::pow(std::max(depth, 0.0) / reach, power - 1);
+        c.geometry.volume = area * share * std::max(depth, 0.0) / power;
+        c.geometry.area = area * share;
+        c.geometry.area_vector = -c.geometry.area * Vec3::UnitZ();
         c.motion.velocity = {0, 0, -rate};
         return -c.force().normal_force / mass;
     };
@@ -66,4 +71,36 @@ TEST_CASE("Eq. (5.7): without damping the speed comes back, whatever it was", "[
     for (const double speed : {1e-3, 0.3, 10.0}) {
         CHECK(restitution(face_with_damping_ratio(0), 2, speed, 4000) == Approx(1).margin(1e-6));
     }
+}
+
+TEST_CASE("With damping by the patch the restitution is the same at any size of the face", "[contact]") {
+    for (const double area : {1e-6, 1e-2, 0.3}) {
+        ContactCase c;
+        c.options.normal_damping = NormalDamping::patch;
+        c.pair = pair_constants({1e7, 0, 2 * 0.2, 0.5, 2.0 / 7, true}, {2, 0.06}, {});
+        c.geometry.area = area;
+        CHECK(restitution(c, 2, 0.3, 4000) == Approx(0.571740).margin(1e-6));
+    }
+}
+
+TEST_CASE("With damping by the patch edges, balls and corners have the restitution of ζ √(2p/(p+1)), V ~ δ^p",
+          "[contact]") {
+    // With u = δ^((p+1)/2) and dτ = δ^((p−1)/2) dt the impact is a linear oscillator's, whatever the speed.
+    for (const int power : {1, 2, 3}) {
+        for (const double speed : {0.01, 1.0}) {
+            CAPTURE(power, speed);
+            ContactCase c;
+            c.options.normal_damping = NormalDamping::patch;
+            c.pair = pair_constants({1e7, 0, 2 * 0.3, 0.5, 2.0 / 7, true}, {2, 0.06}, {});
+            const double ratio = 0.3 * std::sqrt(2.0 * power / (power + 1));
+            const double root = std::sqrt(1 - ratio * ratio);
+            const double phase = std::atan2(2 * ratio * root, 2 * ratio * ratio - 1);
+            const double expected = std::exp(-ratio / root * phase);
+            CHECK(restitution(c, 2, speed, 40000, power) == Approx(expected).margin(1e-4));
+        }
+    }
+    // By Eq. (5.7) as it is, a corner's damping vanishes with its patch.
+    ContactCase corner;
+    corner.pair = pair_constants({1e7, 0, 2 * 0.3, 0.5, 2.0 / 7, true}, {2, 0.06}, {});
+    CHECK(restitution(corner, 2, 1e-4, 4000, 3) > 0.98);
 }

@@ -92,7 +92,7 @@ TEST_CASE(
     smooth.geometry.lever = 0;
     smooth.geometry.flat_patch = false;
     CHECK(smooth.force().moment == Vec3::Zero());
-    CHECK(spinning(1).force<LawParts{true, false}>().moment.z() == 0);
+    CHECK(spinning(1).force<LawParts{.torsion = false}>().moment.z() == 0);
     CHECK(spinning(1).force().moment.z() < 0);
 }
 

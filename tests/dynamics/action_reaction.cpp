@@ -30,7 +30,7 @@ TEST_CASE("Contact forces add up to zero, and so do their torques about any poin
     Random random(231);
     for (int i = 0; i < 20; ++i) {
         const StepCase step = heap(random);
-        ForcesOf<CundallStrack<LawParts{}>> forces({});
+        ForcesOf<BuiltInLaw<LawParts{}>> forces({});
         StepProblem problem(step.system, forces);
         step.begin(problem, 1e-4);
         const Vec3 point = 3 * random.vector();
@@ -52,7 +52,7 @@ TEST_CASE("Contact forces add up to zero, and so do their torques about any poin
 TEST_CASE("Each contact acts at its centroid: its moments are arm × force plus the law's own", "[dynamics]") {
     Random random(232);
     const StepCase step = heap(random);
-    ForcesOf<CundallStrack<LawParts{}>> forces({});
+    ForcesOf<BuiltInLaw<LawParts{}>> forces({});
     StepProblem problem(step.system, forces);
     step.begin(problem, 1e-4);
     int with_force = 0;
@@ -83,7 +83,7 @@ TEST_CASE("Forces from outside and weight come on top, and are all that acts on 
     step.system.bodies[0].weight = {0, 0, -9};
     step.system.bodies[0].force = {1, 0, 0};
     step.system.bodies[0].torque = {0, 0.5, 0};
-    ForcesOf<CundallStrack<LawParts{}>> forces({});
+    ForcesOf<BuiltInLaw<LawParts{}>> forces({});
     StepProblem problem(step.system, forces);
     const double h = 0.01;
     step.begin(problem, h);

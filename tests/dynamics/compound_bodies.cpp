@@ -39,7 +39,7 @@ TEST_CASE("Several parts of one body on one other: the Jacobian agrees with diff
     double worst = 0;
     for (int i = 0; i < 30; ++i) {
         const StepCase step = table(random);
-        ForcesOf<WholeDerivativeLaw> forces({{}, 0.03});
+        ForcesOf<WholeDerivativeLaw<>> forces({{}, 0.03});
         StepProblem problem(step.system, forces);
         step.begin(problem, h);
         bool all = true;
@@ -63,7 +63,7 @@ TEST_CASE("A part's place in its body enters as if the body's frame were elsewhe
         step.add_body(cube(0.2), {Vec3(0.3, 0.1, 0.1 - depth) - offset, Quat::Identity()});
         const Collider part{1, &step.shapes[1], {offset, Quat::Identity()}};
         step.add_contact({0, &step.shapes[0], {}}, part);
-        ForcesOf<CundallStrack<LawParts{}>> forces({});
+        ForcesOf<BuiltInLaw<LawParts{}>> forces({});
         StepProblem problem(step.system, forces);
         step.begin(problem, 0);
         return problem.results()[0];

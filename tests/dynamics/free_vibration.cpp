@@ -53,16 +53,6 @@ double amplitude_ratio(Rocking& rocking, ContactForces& forces, int periods) {
     return last / first;
 }
 
-// The law with its damping put at the centroid.
-struct CentroidDamping {
-    CundallStrack<LawParts{}> law;
-    void operator()(const ContactInput& in, ContactForce& out) const {
-        ContactGeometry geometry = in.geometry;
-        geometry.flat_patch = false;
-        law({geometry, in.motion, in.pair, in.history, in.step, in.rates}, out);
-    }
-};
-
 }  // namespace
 
 TEST_CASE("A frictionless cube's rocking dies out with ζ_θ = ζ ω_θ/ω_n", "[dynamics]") {
@@ -71,7 +61,7 @@ TEST_CASE("A frictionless cube's rocking dies out with ζ_θ = ζ ω_θ/ω_n", "
         const double length = rocking.step.system.contacts[0].pair.length;
         const double ratio =
             damping * edge / (2 * length) / std::sqrt(2.0);  // ω_θ² = k a²/12 / (m a²/6) = ω_n²/2
-        ForcesOf<CundallStrack<LawParts{}>> forces({});
+        ForcesOf<BuiltInLaw<LawParts{}>> forces({});
         const double left = amplitude_ratio(rocking, forces, 4);
         const double decay = -std::log(left) / (2 * std::numbers::pi * 4);
         CHECK(decay * std::sqrt(1 - ratio * ratio) == Approx(ratio).epsilon(0.02));
@@ -80,7 +70,7 @@ TEST_CASE("A frictionless cube's rocking dies out with ζ_θ = ζ ω_θ/ω_n", "
 
 TEST_CASE("Damping at the centroid does not damp rocking", "[dynamics]") {
     Rocking rocking(0.2);
-    ForcesOf<CentroidDamping> forces({});
+    ForcesOf<BuiltInLaw<LawParts{}>> forces({{.damping = DampingPlace::centroid}});
     CHECK(amplitude_ratio(rocking, forces, 4) == Approx(1).epsilon(1e-2));
 }
 
@@ -96,7 +86,7 @@ TEST_CASE("Undamped and frictionless, a stone that bounces and tumbles on a half
         Body& body = step.system.bodies[1];
         body.weight = {0, 0, -body.mass * gravity};
         step.add_contact(0, 1);
-        ForcesOf<CundallStrack<LawParts{}>> forces({});
+        ForcesOf<BuiltInLaw<LawParts{}>> forces({});
         ExplicitMotion motion(step, forces);
         double least_elastic = 0;
         const auto energy = [&] {

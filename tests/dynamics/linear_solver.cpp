@@ -43,7 +43,7 @@ TEST_CASE("Few bodies by dense and many by sparse factorisation give the whole m
     Random random(241);
     for (const int boxes : {1, 2, 5, 8, 9, 12, 30}) {
         const StepCase step = chain(random, boxes);
-        ForcesOf<CundallStrack<LawParts{}>> forces({});
+        ForcesOf<BuiltInLaw<LawParts{}>> forces({});
         StepProblem problem(step.system, forces);
         step.begin(problem, 1e-3);
         REQUIRE(problem.factorize());
@@ -56,7 +56,7 @@ TEST_CASE("Few bodies by dense and many by sparse factorisation give the whole m
 TEST_CASE("Refactorising with the same and with other contacts stays right", "[dynamics]") {
     Random random(242);
     StepCase step = chain(random, 12);
-    ForcesOf<CundallStrack<LawParts{}>> forces({});
+    ForcesOf<BuiltInLaw<LawParts{}>> forces({});
     StepProblem problem(step.system, forces);
     step.begin(problem, 1e-3);
     REQUIRE(problem.factorize());
@@ -91,7 +91,7 @@ TEST_CASE("A fixed body's part of the solution is zero", "[dynamics]") {
     step.add_prescribed(HalfSpace{}, {});
     step.add_body(cube(edge), {{0, 0, edge / 2 - depth}, Quat::Identity()});
     step.add_contact(0, 1);
-    ForcesOf<CundallStrack<LawParts{}>> forces({});
+    ForcesOf<BuiltInLaw<LawParts{}>> forces({});
     StepProblem problem(step.system, forces);
     step.begin(problem, 1e-3);
     REQUIRE(problem.factorize());
@@ -106,7 +106,7 @@ TEST_CASE("A matrix that is not finite is reported by either factorisation", "[d
     for (const int boxes : {2, 12}) {
         Random random(244);
         StepCase step = chain(random, boxes);
-        ForcesOf<CundallStrack<LawParts{}>> forces({});
+        ForcesOf<BuiltInLaw<LawParts{}>> forces({});
         StepProblem problem(step.system, forces);
         step.begin(problem, 1e-3);
         step.system.bodies[1].inertia.x() = std::numeric_limits<double>::quiet_NaN();

@@ -47,11 +47,11 @@ TEST_CASE(
     for (const double friction : {0.02, 0.5, 1e6}) {
         for (const double depth : {1e-3, 1e-5}) {
             INFO("μ = " << friction << ", depth " << depth);
-            const double left_out = worst_error(CundallStrack<LawParts{}>{}, depth, friction);
+            const double left_out = worst_error(BuiltInLaw<LawParts{}>{}, depth, friction);
             CHECK(left_out > 1e-6);  // it is left out
             CHECK(left_out < 1e-2);  // and Newton gains two digits an iteration all the same
             // Rounding of the overlap, a share of edge/depth, limits the differences.
-            CHECK(worst_error(WholeDerivativeLaw{{}, 0.3 * edge}, depth, friction) <
+            CHECK(worst_error(WholeDerivativeLaw<>{{}, 0.3 * edge}, depth, friction) <
                   1e-14 * edge / depth + 1e-8);
         }
     }

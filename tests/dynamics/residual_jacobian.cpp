@@ -69,9 +69,13 @@ std::optional<StepCase> random_step(Random& random, const std::string& kind, dou
     }
     Contact& contact = step.add_contact(0, 1);
     const double force = contact.pair.elastic * std::pow(depth, 3) * friction;
-    contact.history.push({force * random.vector(), random.direction()});
-    contact.history.push({force * random.vector(), random.direction()});
-    ForcesOf<WholeDerivativeLaw> forces({});
+    const double length = contact.pair.length;
+    const double stiffness = contact.pair.tangential_stiffness / (length * length) * depth * radius;
+    for (int j = 0; j < 2; ++j) {
+        const Vec3 normal = random.direction();
+        contact.history.push({force * random.vector(), normal, random.uniform(0.2, 2) * stiffness});
+    }
+    ForcesOf<WholeDerivativeLaw<>> forces({});
     StepProblem problem(step.system, forces);
     step.begin(problem, h);
     const ContactResult& result = problem.results()[0];
@@ -88,7 +92,9 @@ struct Seen {
     double worst = 0;
 };
 
-Seen check(const std::string& kind, double friction, Second second, bool co_rotation, std::size_t order) {
+template <LawParts parts = LawParts{}>
+Seen check(const std::string& kind, double friction, Second second, const LawOptions& options,
+           std::size_t order) {
     Random random(201 + order);
     Seen seen;
     for (int i = 0; i < 120; ++i) {
@@ -96,7 +102,7 @@ Seen check(const std::string& kind, double friction, Second second, bool co_rota
         if (!step) {
             continue;
         }
-        ForcesOf<WholeDerivativeLaw> forces({{co_rotation}, 0.3 * radius});
+        ForcesOf<WholeDerivativeLaw<parts>> forces({{options}, 0.3 * radius});
         const ResidualError found = residual_error(*step, forces, h, order, depth, radius);
         seen.worst = std::max(seen.worst, found.error);
         seen.stick += found.state == ContactState::stick;
@@ -113,7 +119,7 @@ const std::string kinds[] = {"polyhedron, half-space", "polyhedron, polyhedron",
 TEST_CASE("The residual's Jacobian agrees with differences without friction", "[dynamics]") {
     for (const std::string& kind : kinds) {
         INFO(kind);
-        const Seen seen = check(kind, 0, Second::free, true, 1);
+        const Seen seen = check(kind, 0, Second::free, {}, 1);
         CHECK(seen.slip > 20);
         CHECK(seen.worst < differences);
     }
@@ -124,10 +130,10 @@ TEST_CASE("The residual's Jacobian agrees with differences in stick and in slip,
     for (const std::string& kind : kinds) {
         for (const std::size_t order : {1, 2}) {
             INFO(kind << ", order " << order);
-            const Seen sticking = check(kind, 1e6, Second::free, true, order);
+            const Seen sticking = check(kind, 1e6, Second::free, {}, order);
             CHECK(sticking.stick > 20);
             CHECK(sticking.worst < differences);
-            const Seen slipping = check(kind, 0.3, Second::free, true, order);
+            const Seen slipping = check(kind, 0.3, Second::free, {}, order);
             CHECK(slipping.slip > 20);
             CHECK(slipping.worst < differences);
         }
@@ -140,7 +146,7 @@ TEST_CASE("The residual's Jacobian agrees with differences against a body that m
     for (const std::string& kind : kinds) {
         for (const double friction : {0.3, 1e6}) {
             INFO(kind << ", μ = " << friction << (second == Second::conveyor ? ", conveyor" : ""));
-            const Seen seen = check(kind, friction, second, true, 2);
+            const Seen seen = check(kind, friction, second, {}, 2);
             CHECK(seen.stick + seen.slip > 20);
             CHECK(seen.worst < differences);
         }
@@ -150,7 +156,39 @@ TEST_CASE("The residual's Jacobian agrees with differences against a body that m
 TEST_CASE(
     "The residual's Jacobian agrees with differences in the literal scheme, without the pair's rotation",
     "[dynamics]") {
-    const Seen seen = check("polyhedron, polyhedron", 1e6, Second::free, false, 2);
+    const Seen seen = check("polyhedron, polyhedron", 1e6, Second::free, {.co_rotation = false}, 2);
     CHECK(seen.stick > 20);
     CHECK(seen.worst < differences);
+}
+
+TEST_CASE("The residual's Jacobian agrees with differences for springs of the patch and exact masses",
+          "[dynamics]") {
+    const LawOptions options{.tangential_stiffness = TangentialStiffness::patch,
+                             .reduced_mass = ReducedMass::exact};
+    for (const std::string& kind : kinds) {
+        for (const double friction : {1e-3, 1e6}) {  // the springs are soft
+            INFO(kind << ", μ = " << friction);
+            const Seen seen = check(kind, friction, Second::free, options, 2);
+            CHECK((friction < 1 ? seen.slip : seen.stick) > 10);
+            CHECK(seen.worst < differences);
+        }
+    }
+}
+
+TEST_CASE("The residual's Jacobian agrees with differences for viscous and for two-dimensional friction",
+          "[dynamics]") {
+    const LawOptions options{.reduced_mass = ReducedMass::exact};
+    for (const std::string& kind : kinds) {
+        for (const double friction : {0.3, 1e6}) {
+            INFO(kind << ", μ = " << friction);
+            const Seen viscous =
+                check<LawParts{FrictionLaw::viscous}>(kind, friction, Second::free, options, 2);
+            const Seen plane =
+                check<LawParts{FrictionLaw::cundall_strack_2d}>(kind, friction, Second::free, options, 2);
+            CHECK(viscous.stick + viscous.slip > 20);
+            CHECK(plane.stick + plane.slip > 20);
+            CHECK(viscous.worst < differences);
+            CHECK(plane.worst < 10 * differences);  // a normal near y turns its tangent fast
+        }
+    }
 }

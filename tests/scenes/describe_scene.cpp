@@ -34,7 +34,8 @@ TEST_CASE("A scene is described by what a run will use", "[scenes]") {
               "material: rock, 2600 kg/m³; on itself Y 1e+09 Pa, friction 0.5, damping 0.5 normal, 0.5 "
               "tangential, Yt/Y 0.285714, torsion on");
     check_has(lines,
-              "law: normal volume, friction cundall_strack, damping patch, tangential stiffness length, "
+              "law: normal volume, friction cundall_strack, damping patch, normal damping by length, "
+              "tangential stiffness length, "
               "co-rotation on, reduced mass point");
     check_has(lines, "stepping: bdf, adaptive step, orders 1 to 2, rtol 0.001, atol 1e-06, solver auto");
 }

@@ -26,7 +26,7 @@ TEST_CASE("A scene uses what it enters, and leaves out the rest", "[scenes]") {
         CAPTURE(left_out);
         CHECK_FALSE(features.uses(left_out));
     }
-    CHECK(features.used.size() + features.left_out.size() == 20);
+    CHECK(features.used.size() + features.left_out.size() == 27);
 }
 
 TEST_CASE("Friction and what hangs on it are left out together", "[scenes]") {
@@ -45,6 +45,32 @@ TEST_CASE("Torsion needs a material that has it and a shape that can show it", "
     CHECK_FALSE(uses("torsion", {"bodies.1.shape=ball"}));
     CHECK(uses("torsion", {"materials.rock.torsion=false",
                            R"(pairs=[{"materials": ["rock", "rock"], "torsion": true}])"}));
+}
+
+TEST_CASE("The law's choices are used where there is something for them to do", "[scenes]") {
+    const std::pair<const char*, const char*> choices[] = {
+        {"law.friction=cundall_strack_2d", "plane_friction"},  {"law.friction=viscous", "viscous_friction"},
+        {"law.tangential_stiffness=patch", "patch_stiffness"}, {"law.reduced_mass=exact", "effective_mass"},
+        {"law.reduced_mass=round", "effective_mass"},
+    };
+    for (const auto& [setting, feature] : choices) {
+        CAPTURE(setting);
+        CHECK_FALSE(uses(feature, {}));
+        CHECK(uses(feature, {setting}));
+        CHECK_FALSE(uses(feature, {setting, "materials.rock.friction=0"}));
+    }
+    CHECK(uses("rocking_damping", {}));
+    CHECK_FALSE(uses("rocking_damping", {"law.damping=centroid"}));
+    CHECK_FALSE(uses("rocking_damping", {"materials.rock.normal_damping=0"}));
+    CHECK_FALSE(uses("damping_by_patch", {}));
+    CHECK(uses("damping_by_patch", {"law.normal_damping=patch"}));
+    CHECK_FALSE(uses("damping_by_patch", {"law.normal_damping=patch", "materials.rock.normal_damping=0"}));
+    CHECK_FALSE(uses("effective_mass", {"law.reduced_mass=exact", "materials.rock.tangential_damping=0"}));
+    for (const char* friction : {"law.friction=cundall_strack_2d", "law.friction=viscous"}) {
+        CHECK_FALSE(uses("co_rotation", {friction}));
+    }
+    CHECK_FALSE(uses("torsion", {"law.friction=cundall_strack_2d"}));
+    CHECK(uses("torsion", {"law.friction=viscous"}));
 }
 
 TEST_CASE("A fixed step leaves the error control out", "[scenes]") {

@@ -91,7 +91,7 @@ TEST_CASE("Every value lands where it belongs", "[scenes]") {
     CHECK(scene.stepping.step == 1e-4);
     CHECK(scene.stepping.rtol == 1e-5);
     CHECK(scene.stepping.atol == 1e-9);
-    CHECK(scene.stepping.solver == SolverChoice::newton);
+    CHECK(scene.stepping.solver == Solver::newton);
     CHECK(scene.output.every == 0.5);
     CHECK_FALSE(scene.output.bodies);
     CHECK(scene.end_time == 3);

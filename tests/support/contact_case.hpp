@@ -3,7 +3,7 @@
 #include <array>
 #include <limits>
 
-#include <scree/contact/cundall_strack.hpp>
+#include <scree/contact/built_in_law.hpp>
 #include <scree/overlap/overlap.hpp>
 
 #include <tests/support/random.hpp>
@@ -23,7 +23,8 @@ struct ContactCase {
     double beta_h = 1e-3;
     std::array<Quat, highest_order> turn_a, turn_b;
     double cap = std::numeric_limits<double>::infinity();
-    bool co_rotation = true;
+    PairArms arms;
+    LawOptions options;
 
     ContactCase() {
         geometry.volume = 0.01 * 1e-4;
@@ -42,6 +43,11 @@ struct ContactCase {
         turn_b.fill(Quat::Identity());
     }
 
+    /// (Yt/Lc) ‖S‖ [N/m].
+    [[nodiscard]] double patch_stiffness() const {
+        return pair.tangential_stiffness * geometry.area / (pair.length * pair.length);
+    }
+
     /// fn of a case at rest [N].
     [[nodiscard]] double normal_force() const { return pair.elastic * geometry.volume; }
 
@@ -52,8 +58,22 @@ struct ContactCase {
     [[nodiscard]] ContactForce force(const MotionRates* rates = nullptr) const {
         const FrictionStep step{{std::span(past).first(order), beta_h}, turn_a, turn_b, cap};
         ContactForce out;
-        CundallStrack<parts>{co_rotation}({geometry, motion, pair, history, step, rates}, out);
+        BuiltInLaw<parts>{options}({geometry, motion, pair, history, step, arms, rates}, out);
         return out;
+    }
+
+    /// The same by a friction law that is known when the test runs; torsion as the pair has it.
+    [[nodiscard]] ContactForce force_by(FrictionLaw friction, const MotionRates* rates = nullptr) const {
+        switch (friction) {
+            case FrictionLaw::cundall_strack:
+                return force(rates);
+            case FrictionLaw::cundall_strack_2d:
+                return force<LawParts{FrictionLaw::cundall_strack_2d}>(rates);
+            case FrictionLaw::viscous:
+                return force<LawParts{FrictionLaw::viscous}>(rates);
+            default:
+                return force<LawParts{FrictionLaw::none}>(rates);
+        }
     }
 };
 
@@ -70,7 +90,8 @@ inline ContactCase random_case(Random& random) {
             c.geometry.volume = 0;
         }
     } while (c.geometry.volume < 1e-8 || c.geometry.centre_line);
-    c.pair = pair_constants({1e7, 0.4, 0.3, 0.6, 2.0 / 7, true}, {2, 0.06}, {3, 0.07});
+    c.pair = pair_constants({1e7, 0.4, 0.3, 0.6, 2.0 / 7, true}, {2, 0.06, 2e-3 * Vec3(1, 1.5, 2)},
+                            {3, 0.07, 4e-3 * Vec3(1.6, 1, 1.2)});
     c.order = 2;
     c.past = {4.0 / 3, -1.0 / 3};
     const double force = c.pair.friction * c.normal_force();
@@ -78,10 +99,11 @@ inline ContactCase random_case(Random& random) {
     c.motion = {speed * random.vector(), speed / c.geometry.lever * random.vector()};
     for (int i = 0; i < 2; ++i) {
         const Vec3 normal = (c.geometry.normal + 0.1 * random.vector()).normalized();
-        c.history.push({force * random.vector(), normal});
+        c.history.push({force * random.vector(), normal, random.uniform(0.5, 2) * c.patch_stiffness()});
         c.turn_a[static_cast<std::size_t>(i)] = rotation(0.1 * random.vector());
         c.turn_b[static_cast<std::size_t>(i)] = rotation(0.1 * random.vector());
     }
+    c.arms = {0.06 * random.vector(), 0.07 * random.vector(), random.rotation(), random.rotation()};
     return c;
 }
 

@@ -108,8 +108,7 @@ struct StepCase {
     }
 
     [[nodiscard]] BodySize size(int body) const {
-        const Body& it = system.bodies[static_cast<std::size_t>(body)];
-        return {it.mass, it.radius};
+        return body_size(system.bodies[static_cast<std::size_t>(body)]);
     }
 
   private:
@@ -131,15 +130,16 @@ struct StepCase {
 
 /// The law with the lever held at a value, and without the damping traction: what is left of it has its whole
 /// derivative.
+template <LawParts parts = LawParts{}>
 struct WholeDerivativeLaw {
-    CundallStrack<LawParts{}> law;
+    BuiltInLaw<parts> law;
     double lever = 0;
 
     void operator()(const ContactInput& in, ContactForce& out) const {
         ContactGeometry geometry = in.geometry;
         geometry.lever = lever;
         geometry.flat_patch = false;
-        law({geometry, in.motion, in.pair, in.history, in.step, in.rates}, out);
+        law({geometry, in.motion, in.pair, in.history, in.step, in.arms, in.rates}, out);
     }
 };
 

@@ -99,7 +99,7 @@ TEST_CASE("the parts of the law that no pair needs change nothing by being left 
         scene.world->set_material(floor, smooth);
         scene.world->set_material(cube, smooth);
         if (whole_law) {
-            scene.world->set_contact_law(CundallStrack<LawParts{}>{});
+            scene.world->set_contact_law(BuiltInLaw<LawParts{}>{});
         }
         for (int i = 0; i < 30; ++i) {
             scene.world->stepSimulation(0.01, 1, 0.01);
@@ -107,4 +107,32 @@ TEST_CASE("the parts of the law that no pair needs change nothing by being left 
         return position_of(cube);
     };
     CHECK(run(true) == run(false));
+}
+
+TEST_CASE("a choice of the built-in law holds from the next tick on, and a law of one's own replaces it") {
+    // A cube that is pulled below μ: viscous friction lets it creep, Cundall and Strack's does not.
+    BulletScene scene;
+    btRigidBody& floor = scene.add_floor();
+    btRigidBody& cube = scene.add(1, scene.box(Vec3::Constant(0.1)), Vec3(0, 0, 0.05));
+    scene.world->set_material(floor, rock(1e8, 0.5));
+    scene.world->set_material(cube, rock(1e8, 0.5));
+    scene.world->setGravity(btVector3(0.3 * 9.81, 0, -9.81));
+    const auto speed_after_a_while = [&] {
+        for (int i = 0; i < 30; ++i) {
+            scene.world->stepSimulation(0.02, 1, 0.02);
+        }
+        INFO(scene.world->step_report().message);
+        REQUIRE_FALSE(scene.world->step_report().failed);
+        return cube.getLinearVelocity().x();
+    };
+    CHECK(std::abs(speed_after_a_while()) < 1e-9);
+    scene.world->set_contact_law(FrictionLaw::viscous);
+    const double creep = speed_after_a_while();
+    const PairConstants& pair = scene.world->system().contacts[0].pair;
+    CHECK(creep == Approx(0.3 * 9.81 / pair.tangential_damping).epsilon(1e-4));
+    scene.world->set_contact_law(FrictionLaw::viscous, {.reduced_mass = ReducedMass::round});
+    const double factor = std::sqrt(pair.reduced_mass / pair.round_mass);
+    CHECK(speed_after_a_while() == Approx(factor * creep).epsilon(1e-3));
+    scene.world->set_contact_law(BuiltInLaw<LawParts{}>{});
+    CHECK(std::abs(speed_after_a_while()) < 1e-9);
 }

@@ -43,6 +43,7 @@ class Stepper final : public Integrator {
     [[nodiscard]] BodyError body_error(std::size_t body, std::span<const double> weights) const;
     [[nodiscard]] double friction_error(const Contact& contact, const ContactResult& result,
                                         std::span<const double> weights) const;
+    [[nodiscard]] Quat turn_since(std::size_t body, std::size_t j) const;
 
     Corrector corrector_;
     BdfFormula formula_;                  ///< of the attempt

@@ -14,6 +14,7 @@ struct ContactInput {
     const PairConstants& pair;
     const ContactHistory& history;
     const FrictionStep& step;
+    const PairArms& arms;
     const MotionRates* rates = nullptr;  ///< set when derivatives are wanted
 };
 

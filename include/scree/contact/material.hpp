@@ -2,6 +2,8 @@
 
 #include <limits>
 
+#include <scree/mesh/vectors.hpp>
+
 namespace scree {
 
 /// What a body is made of.
@@ -34,18 +36,23 @@ struct BodySize {
     double mass =
         std::numeric_limits<double>::infinity();  ///< [kg]; infinite for a body that forces do not move
     double radius = 0;  ///< [m], of the sphere of the body's volume; not asked of a body of infinite mass
+    /// Principal moments [kg m²]; infinite for a body that does not turn.
+    Vec3 inertia = Vec3::Constant(std::numeric_limits<double>::infinity());
 };
 
 /// The constants of a pair of bodies, fixed for its life.
 struct PairConstants {
     double length = 0;                ///< Lc [m], Eq. (5.3)
     double reduced_mass = 0;          ///< M_red [kg], Eq. (5.28)
+    double round_mass = 0;            ///< M_red [kg] of round bodies at their surfaces, Eq. (5.20)
     double elastic = 0;               ///< Y/Lc [N/m³]: elastic force per overlap volume, Eq. (5.7)
     double normal_damping = 0;        ///< γn √(Y M_red/Lc³) [N s/m³], Eq. (5.7)
     double tangential_stiffness = 0;  ///< Yt Lc [N/m], Eq. (5.17)
     double tangential_damping = 0;    ///< γt √(Yt M_red Lc) [N s/m], Eq. (5.21)
     double friction = 0;              ///< μ
     bool torsion = true;
+    Vec3 inverse_inertia_a = Vec3::Zero();  ///< about A's principal axes [1/(kg m²)]
+    Vec3 inverse_inertia_b = Vec3::Zero();
 };
 
 /// Lc = 4 r₁ r₂/(r₁ + r₂), our reading of Eq. (5.3): two equal spheres have the distance of their centres. A
@@ -54,6 +61,11 @@ double characteristic_length(const BodySize& a, const BodySize& b);
 
 /// 1/(1/m₁ + 1/m₂), Eq. (5.28).
 double reduced_mass(const BodySize& a, const BodySize& b);
+
+/// 1/(1/m₁ + 1/m₂ + r₁²/I₁ + r₂²/I₂), Eq. (5.20), and (5.27) against a body that does not move. For bodies
+/// that are not round r is the radius of the sphere of their volume and I the mean of their principal
+/// moments.
+double round_mass(const BodySize& a, const BodySize& b);
 
 PairConstants pair_constants(const PairMaterial& material, const BodySize& a, const BodySize& b);
 

@@ -7,6 +7,7 @@
 
 namespace scree {
 
+using Row6 = Eigen::Matrix<double, 1, 6>;
 using Row9 = Eigen::Matrix<double, 1, 9>;
 using Mat39 = Eigen::Matrix<double, 3, 9>;
 using Mat69 = Eigen::Matrix<double, 6, 9>;
@@ -17,9 +18,18 @@ struct RelativeMotion {
     Vec3 spin = Vec3::Zero();      ///< [rad/s], ω_A − ω_B
 };
 
+/// Where a contact sits between its two bodies.
+struct PairArms {
+    Vec3 a = Vec3::Zero();            ///< centroid less A's mass centre [m]
+    Vec3 b = Vec3::Zero();            ///< centroid less B's mass centre [m]
+    Quat frame_a = Quat::Identity();  ///< A's principal axes
+    Quat frame_b = Quat::Identity();
+};
+
 /// Derivatives of what a law sees by the nine unknowns of a pair: the change of v_A − v_B at the mass
 /// centres, of ω_A and of ω_B, poses following as the time step has it.
 struct MotionRates {
+    Mat69 xi;          ///< the motion of A against B that ContactGeometry's derivatives are by
     Row9 volume;       ///< of V
     Row9 volume_rate;  ///< of V̇
     Mat39 normal;      ///< of n

@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include <scree/contact/material.hpp>
 #include <scree/dynamics/prescribed_path.hpp>
 
 namespace scree {
@@ -28,6 +29,9 @@ struct BodyState {
     Vec3 momentum = Vec3::Zero();          ///< p [kg m/s]; prescribed: velocity [m/s]
     Vec3 angular_momentum = Vec3::Zero();  ///< L about the mass centre [kg m²/s]; prescribed: ω [rad/s]
 };
+
+/// What the constants of its pairs need to know of a body.
+BodySize body_size(const Body& body);
 
 /// The inertia tensor [kg m²] in world axes.
 Mat3 world_inertia(const Body& body, const Quat& orientation);

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include <scree/contact/cundall_strack.hpp>
+#include <scree/contact/built_in_law.hpp>
 #include <scree/dynamics/contact.hpp>
 #include <scree/dynamics/pair_motion.hpp>
 #include <scree/overlap/overlap.hpp>
@@ -78,7 +78,7 @@ class ForcesOf final : public ContactForces {
         }
         const FrictionStep step{formulas.friction(contact.history.age), a.turns, b.turns,
                                 formulas.friction_cap};
-        law_({geometry, motion, contact.pair, contact.history, step, rates}, result.law);
+        law_({geometry, motion, contact.pair, contact.history, step, arms, rates}, result.law);
         settle(geometry, motion, a, arms, rates, result);
     }
 

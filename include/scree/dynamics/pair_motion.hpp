@@ -5,12 +5,6 @@
 
 namespace scree {
 
-/// Where a contact sits between its two bodies.
-struct PairArms {
-    Vec3 a;  ///< centroid less A's mass centre [m]
-    Vec3 b;  ///< centroid less B's mass centre [m]
-};
-
 RelativeMotion relative_motion(const TrialBody& a, const TrialBody& b, const PairArms& arms);
 
 /// Adds what conveyors do to a contact: the part of `surface`, the velocity of A's surface less that of B's

@@ -2,34 +2,20 @@
 
 #include <optional>
 
+#include <scree/bdf/options.hpp>
+#include <scree/contact/law_options.hpp>
+
 namespace scree {
 
 enum class NormalLaw { volume, manifold, energy };
-enum class FrictionLaw { cundall_strack, cundall_strack_2d, viscous, none };
-enum class DampingPlace { patch, centroid };
-enum class TangentialStiffness {
-    length,     ///< Yt Lc, Eq. (5.17)
-    patch,      ///< grows with the patch
-    no_length,  ///< Yt, Eq. (5.18)
-};
-enum class ReducedMass {
-    point,  ///< Eq. (5.28)
-    round,  ///< Eq. (5.20)
-    exact,
-};
 
 /// Which parts a contact's force has.
-struct LawDescription {
+struct LawDescription : LawOptions {
     NormalLaw normal = NormalLaw::volume;
     FrictionLaw friction = FrictionLaw::cundall_strack;
-    DampingPlace damping = DampingPlace::patch;
-    TangentialStiffness tangential_stiffness = TangentialStiffness::length;
-    bool co_rotation = true;  ///< turn the stored force with the pair; false: the literal scheme
-    ReducedMass reduced_mass = ReducedMass::point;
 };
 
 enum class SteppingMethod { bdf, verlet, symplectic_euler, bullet };
-enum class SolverChoice { automatic, newton, fixed_point };
 
 /// How steps are made.
 struct SteppingDescription {
@@ -38,7 +24,8 @@ struct SteppingDescription {
     std::optional<double> step;  ///< [s], fixed; without one it is chosen by the error test
     double rtol = 1e-3;          ///< dimensionless, as is atol
     double atol = 1e-6;
-    SolverChoice solver = SolverChoice::automatic;
+    Solver solver = Solver::automatic;
+    bool sleep = false;   ///< groups at rest are stepped no more until something reaches them
     int iterations = 10;  ///< of Bullet's own solver
 };
 

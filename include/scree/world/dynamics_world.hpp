@@ -60,6 +60,9 @@ class DynamicsWorld : public btDiscreteDynamicsWorld {
     void set_contact_law(Law law) {
         set_forces(std::make_unique<ForcesOf<Law>>(std::move(law)));
     }
+    /// The built-in law, with the parts that the materials ask for and other choices than it has by default.
+    /// Cundall and Strack's law in two dimensions is right as long as all bodies move in the x–z plane.
+    void set_contact_law(FrictionLaw friction, const LawOptions& options = {});
     /// Null: the built-in law, with the parts that the materials ask for.
     void set_forces(std::unique_ptr<ContactForces> forces);
 

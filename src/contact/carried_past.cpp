@@ -1,0 +1,75 @@
+#include <algorithm>
+
+#include <scree/contact/carried_force.hpp>
+
+#include "tangential_force.hpp"
+
+namespace scree {
+
+namespace {
+
+// What a spring keeps of its force when its stiffness changes.
+double share_kept(double stiffness, double before) {
+    return stiffness < before ? stiffness / before : 1;
+}
+
+template <FrictionLaw friction>
+CarriedForce carried_record(const ContactInput& in, const LawOptions& options, std::size_t j) {
+    const FrictionRecord& record = in.history.past[j];
+    if constexpr (friction == FrictionLaw::cundall_strack_2d) {
+        return carry_in_plane(record, in.geometry.normal, in.rates);
+    } else {
+        return carry(record, in.geometry.normal, in.step.turn_a[j], in.step.turn_b[j], options.co_rotation,
+                     in.rates);
+    }
+}
+
+// From the latest record's stiffness to the present one.
+void soften(const ContactInput& in, const TangentialConstants& constants, TangentialForce& sum) {
+    const double before = in.history.past[0].stiffness;
+    if (!(constants.stiffness < before)) {
+        return;
+    }
+    const double share = constants.stiffness / before;
+    if (in.rates != nullptr) {
+        sum.rate *= share;
+        sum.rate.noalias() += sum.force / before * constants.stiffness_rate;
+    }
+    sum.force *= share;
+}
+
+}  // namespace
+
+template <FrictionLaw friction>
+TangentialForce carried_past(const ContactInput& in, const LawOptions& options,
+                             const TangentialConstants& constants, ContactForce& out) {
+    TangentialForce sum;
+    if (in.rates != nullptr) {
+        sum.rate.setZero();
+    }
+    const auto& past = in.history.past;
+    const std::size_t records = std::min(in.step.formula.past.size(), in.history.age);
+    double kept = 1;  // of record j's force, at the latest record
+    for (std::size_t j = 0; j < records; ++j) {
+        kept *= j > 0 ? share_kept(past[j - 1].stiffness, past[j].stiffness) : 1;
+        const double weight = in.step.formula.past[j] * kept;
+        const CarriedForce carried = carried_record<friction>(in, options, j);
+        sum.force += weight * carried.force;
+        if (in.rates != nullptr) {
+            sum.rate += weight * carried.rate;
+        }
+        out.lost_direction |= carried.lost_direction;
+    }
+    if (records > 0) {
+        soften(in, constants, sum);
+    }
+    return sum;
+}
+
+template TangentialForce carried_past<FrictionLaw::cundall_strack>(const ContactInput&, const LawOptions&,
+                                                                   const TangentialConstants&, ContactForce&);
+template TangentialForce carried_past<FrictionLaw::cundall_strack_2d>(const ContactInput&, const LawOptions&,
+                                                                      const TangentialConstants&,
+                                                                      ContactForce&);
+
+}  // namespace scree

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <scree/contact/law.hpp>
+#include <scree/contact/tangential_constants.hpp>
+
+namespace scree {
+
+/// The vector f_t + (m_n/r̄) n [N], and its derivative when it is asked for.
+struct TangentialForce {
+    Vec3 force = Vec3::Zero();
+    Mat39 rate;
+};
+
+/// The largest that it may be [N].
+struct TangentialLimit {
+    double force = 0;
+    Row9 rate;
+};
+
+/// The relative motion across n; in three dimensions, and along the tangent of the x–z plane.
+Slip sliding(const ContactInput& in);
+Slip sliding_in_plane(const ContactInput& in);
+/// Adds the turning about n over the contact's lever.
+void add_spin(const ContactInput& in, Slip& slip);
+
+/// The stored past as the step's formula has it, each record straight from its own plane to the present one.
+/// Where the stiffness has fallen since, the force has fallen with it, so that no energy is made; where it
+/// has grown, the force stays. Notes in `out` a direction that was lost.
+template <FrictionLaw friction>
+TangentialForce carried_past(const ContactInput& in, const LawOptions& options,
+                             const TangentialConstants& constants, ContactForce& out);
+
+}  // namespace scree
