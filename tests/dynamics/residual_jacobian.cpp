@@ -2,6 +2,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <scree/overlap/frozen_points.hpp>
+
 #include <tests/dynamics/residual_error.hpp>
 
 using namespace scree;
@@ -43,6 +45,21 @@ Meeting random_meeting(Random& random, const std::string& kind) {
     return {random.polyhedron(12, radius), random.polyhedron(14, radius), 1.3 * radius * way};
 }
 
+// Some points of the first body, deep under planes of the second that lie nearly alike.
+std::shared_ptr<const PairGeometry> random_points(Random& random, const Pose& pose_a, const Pose& pose_b) {
+    std::vector<FrozenPoint> points;
+    const Vec3 up = random.direction();
+    for (int i = 0; i < 3; ++i) {
+        const Vec3 at = pose_a.position - 0.8 * radius * up + 0.3 * radius * random.vector();
+        const Vec3 normal = (up + 0.1 * random.vector()).normalized();
+        points.push_back({pose_a.inverse() * at, pose_b.inverse() * (at + 2 * depth * normal),
+                          pose_b.orientation.conjugate() * normal});
+    }
+    auto geometry = std::make_shared<FrozenPoints>(depth * depth);
+    geometry->freeze(points);
+    return geometry;
+}
+
 // One contact of that kind with random velocities and a random past; empty when it has no force.
 std::optional<StepCase> random_step(Random& random, const std::string& kind, double friction,
                                     bool prescribed) {
@@ -64,6 +81,12 @@ std::optional<StepCase> random_step(Random& random, const std::string& kind, dou
         step.before[b].orientation = rotation(0.02 * random.vector()) * step.before[b].orientation;
     }
     Contact& contact = step.add_contact(0, 1);
+    if (kind == "frozen points") {
+        const auto pose = [&](std::size_t b) -> Pose {
+            return {step.system.states[b].position, step.system.states[b].orientation};
+        };
+        contact.geometry = random_points(random, pose(0), pose(1));
+    }
     const double force = contact.pair.elastic * std::pow(depth, 3) * friction;
     contact.history.push({force * random.vector(), random.direction()});
     contact.history.push({force * random.vector(), random.direction()});
@@ -102,7 +125,7 @@ Seen check(const std::string& kind, double friction, bool prescribed, bool co_ro
 }
 
 const std::string kinds[] = {"polyhedron, half-space", "polyhedron, polyhedron", "sphere, half-space",
-                             "sphere, sphere", "sphere, polyhedron"};
+                             "sphere, sphere",         "sphere, polyhedron",     "frozen points"};
 
 }  // namespace
 
