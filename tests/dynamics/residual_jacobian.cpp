@@ -36,6 +36,17 @@ Meeting random_meeting(Random& random, const std::string& kind) {
     if (kind == "sphere, half-space") {
         return {Sphere{radius}, HalfSpace{way, 0}, (radius - depth) * way};
     }
+    if (kind == "cylinder, half-space" || kind == "capsule, half-space") {
+        const Shape rod = kind[1] == 'y' ? Shape(make_frustum(radius, 0.8 * radius, 1.2 * radius))
+                                         : Shape(make_capsule(0.8 * radius, 0.7 * radius));
+        return {rod, HalfSpace{way, 0}, (reach_along(rod, -way) - depth) * way};
+    }
+    if (kind == "cylinder, polyhedron") {
+        const Vec3 across = Vec3(way.x(), way.y(), 0).normalized();
+        const Pose box{Vec3::Zero(), Quat::FromTwoVectors(Vec3::UnitZ(), across)};
+        return {make_frustum(radius, radius, 0.9 * radius), transformed(make_box({0.3, 0.3, 0.2}), box),
+                (0.1 + radius - depth) * across};
+    }
     if (kind == "sphere, sphere") {
         return {Sphere{radius}, Sphere{0.7 * radius}, (1.7 * radius - depth) * way};
     }
@@ -125,7 +136,8 @@ Seen check(const std::string& kind, double friction, bool prescribed, bool co_ro
 }
 
 const std::string kinds[] = {"polyhedron, half-space", "polyhedron, polyhedron", "sphere, half-space",
-                             "sphere, sphere",         "sphere, polyhedron",     "frozen points"};
+                             "sphere, sphere",         "sphere, polyhedron",     "cylinder, half-space",
+                             "capsule, half-space",    "cylinder, polyhedron",   "frozen points"};
 
 }  // namespace
 
