@@ -98,6 +98,7 @@ struct Overlap {
 
 bool overlap(const Shape& a, const Pose& pose_a, const Shape& b, const Pose& pose_b, Detail detail,
              bool was_centre_line, OverlapWorkspace& workspace, ContactGeometry& geometry) {
+    workspace.solid = false;
     return std::visit(Overlap{pose_a, pose_b, detail, was_centre_line, workspace, geometry}, a, b);
 }
 

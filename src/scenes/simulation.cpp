@@ -109,6 +109,7 @@ void Simulation::make_world() {
     broadphase_ = std::make_unique<btDbvtBroadphase>();
     world_ =
         std::make_unique<DynamicsWorld>(dispatcher_.get(), broadphase_.get(), nullptr, configuration_.get());
+    world_->set_manifolds(false);
     world_->setGravity(to_bullet(scene_.gravity));
     world_->set_stepping(stepping_options(scene_));
     world_->set_mixing([this](const btRigidBody& a, const Material&, const btRigidBody& b, const Material&) {

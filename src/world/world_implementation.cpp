@@ -18,6 +18,9 @@ bool WorldImplementation::run(btCollisionWorld& world, double tick, double gravi
     if (!read) {
         return false;
     }
+    for (btCollisionObject* reshaped : bodies_.take_reshaped()) {
+        forget_algorithms(world, *reshaped);
+    }
     const bool stepped = guarded([&] {
         find_pairs(world, end);
         step_to(world, end);
@@ -131,6 +134,12 @@ void WorldImplementation::write_bodies(double tick) {
     bodies_.write(!report_.failed && call_left_ < 0.5 * tick);
     const bool started = !restart_ && !system_.bodies.empty();
     report_.time = started ? integrator_->time() : clock_.now();
+}
+
+void WorldImplementation::update_manifolds(btCollisionWorld& world, double tick) {
+    const Stopwatch watch(report_.times.detection);
+    manifolds_.update(world, bodies_.all(), system_, results(), tick);
+    report_.manifold_pairs = manifolds_.pairs();
 }
 
 std::span<const ContactResult> WorldImplementation::results() const {

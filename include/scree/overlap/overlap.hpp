@@ -14,10 +14,22 @@ enum class Detail {
     derivative,  ///< everything
 };
 
+/// A line along the contact normal through an overlap.
+struct Chord {
+    Vec3 at = Vec3::Zero();  ///< a point of it
+    double low = 0;          ///< where it enters, along the normal from there [m]
+    double high = 0;         ///< where it leaves [m]
+
+    [[nodiscard]] double depth() const { return high - low; }
+};
+
 /// Buffers of the overlap computation, one a thread.
 struct OverlapWorkspace {
     ClippedSolid clipped;
     std::vector<Plane> planes;
+    std::vector<Chord> chords;
+    Pose frame;          ///< of what was clipped last
+    bool solid = false;  ///< the last overlap left a solid there, all of it but a capsule's round ends
 };
 
 /// The overlap of two shapes at their poses, Eq. (5.7)'s V with all that goes with it. Returns false, leaving
