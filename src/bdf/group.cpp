@@ -116,7 +116,7 @@ bool Group::same_contacts(const System& whole, std::span<const std::size_t> cont
                           const Contact& other = whole.contacts[number];
                           return bodies_[at(mine.a.body)] == other.a.body &&
                                  bodies_[at(mine.b.body)] == other.b.body && same_collider(mine.a, other.a) &&
-                                 same_collider(mine.b, other.b);
+                                 same_collider(mine.b, other.b) && mine.geometry == other.geometry;
                       });
 }
 

@@ -1,6 +1,7 @@
 #include <scree/detect/body_shape.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numbers>
 #include <stdexcept>
@@ -17,17 +18,56 @@ namespace {
 
 constexpr std::size_t least_kept = 16;
 
+constexpr double pi = std::numbers::pi;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
 struct Volume {
     double operator()(const ConvexPolyhedron& solid) const { return mass_properties(solid).volume; }
-    double operator()(const HalfSpace&) const { return std::numeric_limits<double>::infinity(); }
-    double operator()(const Sphere& sphere) const {
-        return 4.0 / 3.0 * std::numbers::pi * sphere.radius * sphere.radius * sphere.radius;
+    double operator()(const HalfSpace& /*ground*/) const { return infinity; }
+    double operator()(const OpenSurface& /*surface*/) const { return infinity; }
+    double operator()(const Sphere& sphere) const { return 4.0 / 3.0 * pi * std::pow(sphere.radius, 3); }
+    double operator()(const Frustum& frustum) const {
+        const double squares =
+            frustum.bottom * frustum.bottom + frustum.bottom * frustum.top + frustum.top * frustum.top;
+        return 2.0 / 3.0 * pi * frustum.half_height * squares;
+    }
+    double operator()(const Capsule& capsule) const {
+        const double square = capsule.radius * capsule.radius;
+        return pi * square * (4.0 / 3.0 * capsule.radius + 2 * capsule.half_length);
     }
 };
 
 [[noreturn]] void refuse(const btCollisionShape& shape, const std::string& reason) {
     throw std::invalid_argument("shape " + std::string(shape.getName()) + ": " + reason);
 }
+
+/// What capsules, cylinders and cones have in common.
+struct RoundSizes {
+    int axis = -1;           // of Bullet's three, −1 for all other shapes
+    double radius = 0;       // [m], of a cone's base
+    double half_height = 0;  // [m], of a capsule without its round ends
+
+    explicit RoundSizes(const btCollisionShape& shape) {
+        if (shape.getShapeType() == CAPSULE_SHAPE_PROXYTYPE) {
+            const auto& capsule = static_cast<const btCapsuleShape&>(shape);
+            *this = {capsule.getUpAxis(), capsule.getRadius(), capsule.getHalfHeight()};
+        } else if (shape.getShapeType() == CYLINDER_SHAPE_PROXYTYPE) {
+            const auto& cylinder = static_cast<const btCylinderShape&>(shape);
+            const int up = cylinder.getUpAxis();
+            *this = {up, cylinder.getRadius(), cylinder.getHalfExtentsWithMargin()[up]};
+        } else if (shape.getShapeType() == CONE_SHAPE_PROXYTYPE) {
+            const auto& cone = static_cast<const btConeShape&>(shape);
+            *this = {cone.getConeUpIndex(), cone.getRadius(), 0.5 * cone.getHeight()};
+        }
+    }
+    /// From a frame with the z axis along the solid's to Bullet's.
+    [[nodiscard]] Pose turn() const {
+        return axis < 0 ? Pose() : Pose{Vec3::Zero(), Quat::FromTwoVectors(Vec3::UnitZ(), Vec3::Unit(axis))};
+    }
+
+  private:
+    RoundSizes(int up, double r, double h) : axis(up), radius(r), half_height(h) {}
+};
 
 // Points and sizes as Bullet has them, scaling included. Empty: a shape that is not done.
 std::vector<Vec3> measures(const btCollisionShape& shape) {
@@ -45,6 +85,8 @@ std::vector<Vec3> measures(const btCollisionShape& shape) {
         const auto& plane = static_cast<const btStaticPlaneShape&>(shape);
         numbers.push_back(to_eigen(plane.getPlaneNormal()));
         numbers.emplace_back(plane.getPlaneConstant(), 0, 0);
+    } else if (const RoundSizes round(shape); round.axis >= 0) {
+        numbers.emplace_back(round.radius, round.half_height, 0);
     }
     return numbers;
 }
@@ -56,6 +98,7 @@ bool sound(const btCollisionShape& shape, const std::vector<Vec3>& numbers) {
         case BOX_SHAPE_PROXYTYPE:
             return finite && numbers[0].minCoeff() > 0;
         case SPHERE_SHAPE_PROXYTYPE:
+        case CAPSULE_SHAPE_PROXYTYPE:
             return finite && numbers[0].x() > 0;
         case STATIC_PLANE_PROXYTYPE:
             return finite && numbers[0].norm() > 0;
@@ -72,6 +115,15 @@ Shape build(const btCollisionShape& shape, const std::vector<Vec3>& numbers) {
             return Sphere{numbers[0].x()};
         case STATIC_PLANE_PROXYTYPE:
             return HalfSpace{numbers[0].normalized(), numbers[1].x()};
+        case CYLINDER_SHAPE_PROXYTYPE:
+            return make_frustum(numbers[0].x(), numbers[0].x(), numbers[0].y());
+        case CONE_SHAPE_PROXYTYPE:
+            return make_frustum(numbers[0].x(), 0, numbers[0].y());
+        case CAPSULE_SHAPE_PROXYTYPE:
+            if (numbers[0].y() == 0) {
+                return Sphere{numbers[0].x()};
+            }
+            return make_capsule(numbers[0].x(), numbers[0].y());
         default:
             return convex_hull(numbers).solid;
     }
@@ -99,7 +151,7 @@ void ShapeLibrary::add_parts(const btCollisionShape& shape, const Pose& local, B
     const auto* polyhedron = dynamic_cast<const PolyhedronShape*>(&shape);
     BodyPart part;
     part.shape = polyhedron != nullptr ? polyhedron->exact() : simple_shape(shape);
-    part.local = local;
+    part.local = local * RoundSizes(shape).turn();
     part.volume = std::visit(Volume{}, *part.shape);
     body.volume += part.volume;
     body.radius = std::max(body.radius, local.position.norm() + bounding_radius(*part.shape));
@@ -109,7 +161,8 @@ void ShapeLibrary::add_parts(const btCollisionShape& shape, const Pose& local, B
 std::shared_ptr<const Shape> ShapeLibrary::simple_shape(const btCollisionShape& shape) {
     const std::vector<Vec3> numbers = measures(shape);
     if (numbers.empty()) {
-        refuse(shape, "not done; a hull, box, sphere, plane or a compound of these is");
+        refuse(shape,
+               "not done; a hull, box, sphere, capsule, cylinder, cone, plane or a compound of these is");
     }
     if (!sound(shape, numbers)) {
         refuse(shape, "sizes must be finite and positive");

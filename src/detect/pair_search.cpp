@@ -143,19 +143,12 @@ bool PairSearch::near(const PlacedPart& a, const PlacedPart& b, double reach) {
 
 // Of the part's lowest point [m].
 double PairSearch::height_above(const HalfSpace& ground, const PlacedPart& at, const PlacedPart& part) {
+    if (std::holds_alternative<HalfSpace>(*part.shape)) {
+        return infinity;  // two half-spaces make no contact
+    }
     const Vec3 normal = at.pose.orientation * ground.normal;
     const double origin = normal.dot(part.pose.position - at.pose.position) - ground.offset;
-    const auto* solid = std::get_if<ConvexPolyhedron>(part.shape);
-    if (solid == nullptr) {
-        const bool sphere = std::holds_alternative<Sphere>(*part.shape);
-        return sphere ? origin - part.radius : infinity;  // two half-spaces make no contact
-    }
-    const Vec3 up = part.pose.orientation.conjugate() * normal;
-    double lowest = infinity;
-    for (const Vec3& vertex : solid->vertices) {
-        lowest = std::min(lowest, up.dot(vertex));
-    }
-    return origin + lowest;
+    return origin - reach_along(*part.shape, part.pose.orientation.conjugate() * -normal);
 }
 
 }  // namespace scree

@@ -33,6 +33,7 @@ SteppingOptions stepping_options(const SceneDescription& scene) {
 }  // namespace
 
 ScreeEngine::ScreeEngine(const SceneDescription& scene) : scene_(scene) {
+    world_.set_manifolds(false);
     world_.setGravity(to_bullet(scene.gravity));
     world_.set_stepping(stepping_options(scene));
     world_.set_mixing([this](const btRigidBody& a, const Material&, const btRigidBody& b, const Material&) {

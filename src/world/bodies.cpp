@@ -81,6 +81,7 @@ void Bodies::follow_shapes() {
             body.shape = translate(*body.object);
             body.bullet_shape = body.object->getCollisionShape();
             body.contacts_end = true;
+            reshaped_.push_back(body.object);
         }
     }
 }

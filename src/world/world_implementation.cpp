@@ -18,6 +18,9 @@ bool WorldImplementation::run(btCollisionWorld& world, double tick, double gravi
     if (!read) {
         return false;
     }
+    for (btCollisionObject* reshaped : bodies_.take_reshaped()) {
+        forget_algorithms(world, *reshaped);
+    }
     const bool stepped = guarded([&] { step_to(world, end); });
     write_bodies(tick);
     take_accounts();
@@ -154,6 +157,12 @@ void WorldImplementation::write_bodies(double tick) {
         report_.time = clock_.now();
     }
     bodies_.write(!report_.failed && call_left_ < 0.5 * tick);
+}
+
+void WorldImplementation::update_manifolds(btCollisionWorld& world, double tick) {
+    const Stopwatch watch(report_.times.detection);
+    manifolds_.update(world, bodies_.all(), system_, results(), tick);
+    report_.manifold_pairs = manifolds_.pairs();
 }
 
 std::span<const ContactResult> WorldImplementation::results() const {

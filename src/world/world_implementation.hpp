@@ -12,6 +12,7 @@
 #include "contact_list.hpp"
 #include "cover.hpp"
 #include "law_choice.hpp"
+#include "manifolds.hpp"
 #include "materials.hpp"
 #include "meeting_plan.hpp"
 #include "tick_clock.hpp"
@@ -21,6 +22,9 @@ namespace scree {
 /// What a DynamicsWorld does in a tick.
 class WorldImplementation {
   public:
+    explicit WorldImplementation(btDispatcher* dispatcher) : manifolds_(dispatcher) {}
+
+    Manifolds& manifolds() { return manifolds_; }
     Bodies& bodies() { return bodies_; }
     Materials& materials() { return materials_; }
     LawChoice& law() { return law_; }
@@ -37,6 +41,8 @@ class WorldImplementation {
     void begin_call(double time) { call_left_ = time; }
     /// One tick of `tick` [s] in a gravity [m/s²]. Returns false when it could not be finished.
     bool run(btCollisionWorld& world, double tick, double gravity);
+    /// Brings Bullet's manifolds up to date after a tick of `tick` [s].
+    void update_manifolds(btCollisionWorld& world, double tick);
     /// Tells the broadphase where Bullet has the bodies at present.
     void place(btCollisionWorld& world);
 
@@ -61,6 +67,7 @@ class WorldImplementation {
     ContactList list_{system_.contacts};
     Cover cover_;
     PairSearch search_;
+    Manifolds manifolds_;
     SteppingOptions options_;
     std::unique_ptr<Workers> workers_ = std::make_unique<Workers>(1);
     Groups groups_{system_};

@@ -28,9 +28,9 @@ struct BodyShape {
 class ShapeLibrary {
   public:
     /// PolyhedronShape gives its polyhedron, btBoxShape the box with its margin, btConvexHullShape the hull
-    /// of its points without margin, btSphereShape, btStaticPlaneShape, and btCompoundShape the parts of its
-    /// children. Throws std::invalid_argument, naming the shape, for all others and for a hull without
-    /// volume.
+    /// of its points without margin, btConeShape the cone without margin, btSphereShape, btCapsuleShape and
+    /// btCylinderShape along any axis, btStaticPlaneShape, and btCompoundShape the parts of its children.
+    /// Throws std::invalid_argument, naming the shape, for all others and for a hull without volume.
     BodyShape translate(const btCollisionShape& shape);
 
   private:

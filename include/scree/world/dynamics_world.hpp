@@ -66,6 +66,12 @@ class DynamicsWorld : public btDiscreteDynamicsWorld {
     /// Null: the built-in law, with the parts that the materials ask for.
     void set_forces(std::unique_ptr<ContactForces> forces);
 
+    /// Whether Bullet's manifolds are brought up to date at the end of every tick, as they are from the
+    /// start: for contact callbacks, for programs that go through the dispatcher's manifolds, and for debug
+    /// drawing. Their points are corners of the patches of the overlap, at most four, and have the impulse
+    /// over a tick of the forces at its end. Without it contacts cost nothing on Bullet's side.
+    void set_manifolds(bool written);
+
     /// What the ticks so far have done, and why the last one stopped if it did. After a failure ticks do
     /// nothing.
     [[nodiscard]] const StepReport& step_report() const;
