@@ -67,8 +67,9 @@ void PairSearch::place(btCollisionWorld& world, std::span<const SearchBody> bodi
         const auto finite = [](const Vec3& v) -> btVector3 {
             return to_bullet(v.cwiseMax(-BT_LARGE_FLOAT).cwiseMin(BT_LARGE_FLOAT));
         };
-        const btVector3 low = finite(box.low.array() - body.reach);
-        const btVector3 high = finite(box.high.array() + body.reach);
+        const double around = body.reach + body.skin;
+        const btVector3 low = finite(box.low.array() - around);
+        const btVector3 high = finite(box.high.array() + around);
         btBroadphaseProxy* proxy = body.object->getBroadphaseHandle();
         if (!same(low, proxy->m_aabbMin) || !same(high, proxy->m_aabbMax)) {
             TreeMargin::set(std::isfinite(body.shape->radius) ? fatness * body.shape->radius : 0);
@@ -107,7 +108,7 @@ void PairSearch::add_pairs(int a, int b, btDispatcher& dispatcher, std::span<con
     if (!body_a.dynamic && !body_b.dynamic) {
         return;
     }
-    const double reach = body_a.reach + body_b.reach;
+    const double reach = body_a.reach + body_a.skin + body_b.reach + body_b.skin;
     const PlacedPart* parts_a = &parts_[first_part_[static_cast<std::size_t>(a)]];
     const PlacedPart* parts_b = &parts_[first_part_[static_cast<std::size_t>(b)]];
     bool wanted = false;  // asked once a pair of bodies, and only of those that are near

@@ -28,7 +28,6 @@ constexpr Absent absent[] = {
     {"pairs.*.kinetic_friction", any},
     {"shapes.*.parts", "decompose"},
     {"shapes.*.parts", several},
-    {"law.normal", "manifold"},
     {"law.normal", "energy"},
     {"output.replay", on},
     {"output.vtk", on},

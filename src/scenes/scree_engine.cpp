@@ -41,6 +41,9 @@ ScreeEngine::ScreeEngine(const SceneDescription& scene) : scene_(scene) {
                              materials_[static_cast<std::size_t>(b.getUserIndex())]);
     });
     world_.set_contact_law(scene.law.friction, scene.law);
+    if (scene.law.normal == NormalLaw::manifold) {
+        world_.set_contact_geometry(GeometrySource::manifold);
+    }
 }
 
 void ScreeEngine::add(SimulationBody& body, const MaterialDescription& material) {

@@ -72,6 +72,9 @@ class Bodies {
 
     [[nodiscard]] std::span<const WorldBody> all() const { return bodies_; }
 
+    /// Whether one of them is an open surface.
+    [[nodiscard]] bool any_open() const;
+
     /// Those whose shapes have been replaced, since the last call.
     std::vector<btCollisionObject*> take_reshaped() { return std::exchange(reshaped_, {}); }
 

@@ -9,7 +9,7 @@ namespace scree {
 DynamicsWorld::DynamicsWorld(btDispatcher* dispatcher, btBroadphaseInterface* pairs,
                              btConstraintSolver* solver, btCollisionConfiguration* configuration)
     : btDiscreteDynamicsWorld(dispatcher, pairs, solver, configuration),
-      implementation_(std::make_unique<WorldImplementation>(dispatcher)) {}
+      implementation_(std::make_unique<WorldImplementation>(*dispatcher)) {}
 
 DynamicsWorld::~DynamicsWorld() = default;
 
@@ -52,6 +52,10 @@ void DynamicsWorld::set_forces(std::unique_ptr<ContactForces> forces) {
 
 void DynamicsWorld::set_contact_law(FrictionLaw friction, const LawOptions& options) {
     implementation_->law().set(friction, options);
+}
+
+void DynamicsWorld::set_contact_geometry(GeometrySource source) {
+    implementation_->set_contact_geometry(source, *this);
 }
 
 void DynamicsWorld::set_manifolds(bool written) {
@@ -147,8 +151,7 @@ void DynamicsWorld::removeCollisionObject(btCollisionObject* object) {
 }
 
 void DynamicsWorld::forget(const btCollisionObject& object) {
-    implementation_->bodies().remove(object);
-    implementation_->materials().forget(object);
+    implementation_->remove(object);
 }
 
 void DynamicsWorld::updateAabbs() {

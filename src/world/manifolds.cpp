@@ -1,6 +1,8 @@
 #include "manifolds.hpp"
 
+#include <functional>
 #include <limits>
+#include <utility>
 
 #include <scree/detect/convert.hpp>
 
@@ -11,12 +13,15 @@ namespace {
 /// Bullet's own way through its pairs, one after another, whatever the class of the dispatcher.
 class NearPairs : public btOverlapCallback {
   public:
-    NearPairs(btCollisionDispatcher& dispatcher, const btDispatcherInfo& info)
-        : dispatcher_(dispatcher), info_(info) {}
+    using Left = std::function<bool(const btBroadphasePair&)>;
+    NearPairs(btCollisionDispatcher& dispatcher, const btDispatcherInfo& info, Left left_out)
+        : dispatcher_(dispatcher), info_(info), left_out_(std::move(left_out)) {}
 
     bool processOverlap(btBroadphasePair& pair) override {
-        dispatcher_.getNearCallback()(pair, dispatcher_, info_);
-        ++count_;
+        if (!left_out_(pair)) {
+            dispatcher_.getNearCallback()(pair, dispatcher_, info_);
+            ++count_;
+        }
         return false;  // the pair stays
     }
     [[nodiscard]] std::size_t count() const { return count_; }
@@ -24,6 +29,7 @@ class NearPairs : public btOverlapCallback {
   private:
     btCollisionDispatcher& dispatcher_;
     const btDispatcherInfo& info_;
+    Left left_out_;
     std::size_t count_ = 0;
 };
 
@@ -74,24 +80,30 @@ void share_out(btPersistentManifold& manifold, double normal, const Vec3& fricti
 
 }  // namespace
 
-Manifolds::Manifolds(btDispatcher* dispatcher)
-    : dispatcher_(dynamic_cast<btCollisionDispatcher*>(dispatcher)) {
-    if (dispatcher_ != nullptr) {
-        overlaps_ = OverlapDispatch::of(*dispatcher_);
-    }
+Manifolds::Manifolds(btDispatcher* dispatcher, const ManifoldContacts& contacts)
+    : dispatcher_(dynamic_cast<btCollisionDispatcher*>(dispatcher)), contacts_(contacts) {
+    use_overlaps(true);
+}
+
+void Manifolds::use_overlaps(bool used) {
+    overlaps_ = used && dispatcher_ != nullptr ? OverlapDispatch::of(*dispatcher_) : nullptr;
 }
 
 void Manifolds::set_on(bool on, btCollisionWorld& world) {
     if (on_ && !on) {
-        btBroadphasePairArray& pairs = world.getPairCache()->getOverlappingPairArray();
-        for (int i = 0; i < pairs.size(); ++i) {
-            world.getPairCache()->cleanOverlappingPair(pairs[i], world.getDispatcher());
-        }
+        clear(world);
     }
     on_ = on;
 }
 
-void Manifolds::update(btCollisionWorld& world, std::span<const WorldBody> bodies, const System& system,
+void Manifolds::clear(btCollisionWorld& world) {
+    btBroadphasePairArray& pairs = world.getPairCache()->getOverlappingPairArray();
+    for (int i = 0; i < pairs.size(); ++i) {
+        world.getPairCache()->cleanOverlappingPair(pairs[i], world.getDispatcher());
+    }
+}
+
+void Manifolds::update(btCollisionWorld& world, const Bodies& bodies, const System& system,
                        std::span<const ContactResult> results, double tick) {
     if (!on_) {
         return;
@@ -101,33 +113,50 @@ void Manifolds::update(btCollisionWorld& world, std::span<const WorldBody> bodie
                                                          world.getDispatcher());
         return;
     }
-    NearPairs near(*dispatcher_, world.getDispatchInfo());
+    NearPairs near(*dispatcher_, world.getDispatchInfo(),
+                   [&](const btBroadphasePair& pair) { return has_manifold(bodies, pair); });
     world.getPairCache()->processAllOverlappingPairs(&near, dispatcher_);
     pairs_ += near.count();
     for (std::size_t i = 0; i < results.size(); ++i) {
-        if (results[i].touching) {
-            note_impulses(world, bodies[static_cast<std::size_t>(system.contacts[i].a.body)],
-                          bodies[static_cast<std::size_t>(system.contacts[i].b.body)], results[i], tick);
+        const ContactResult& result = results[i];
+        const Contact& contact = system.contacts[i];
+        btPersistentManifold* manifold =
+            result.touching ? manifold_of(world, contact, bodies, result.point) : nullptr;
+        if (manifold != nullptr) {
+            const Vec3 friction = result.law.force - result.law.force.dot(result.normal) * result.normal;
+            const int first = bodies.number(*manifold->getBody0());
+            share_out(*manifold, tick * result.law.normal_force,
+                      (first == contact.a.body ? tick : -tick) * friction);
         }
     }
 }
 
-void Manifolds::note_impulses(btCollisionWorld& world, const WorldBody& a, const WorldBody& b,
-                              const ContactResult& result, double tick) {
+bool Manifolds::has_manifold(const Bodies& bodies, const btBroadphasePair& pair) const {
+    const auto shape_of = [&](const btBroadphaseProxy& proxy) -> const BodyShape* {
+        const int number = bodies.number(*static_cast<const btCollisionObject*>(proxy.m_clientObject));
+        return number < 0 ? nullptr : &bodies.all()[static_cast<std::size_t>(number)].shape;
+    };
+    const BodyShape* a = shape_of(*pair.m_pProxy0);
+    const BodyShape* b = shape_of(*pair.m_pProxy1);
+    return a != nullptr && b != nullptr && contacts_.wanted(*a, *b);
+}
+
+btPersistentManifold* Manifolds::manifold_of(btCollisionWorld& world, const Contact& contact,
+                                             const Bodies& bodies, const Vec3& point) {
+    if (contact.geometry) {
+        return contacts_.manifold(contact);
+    }
+    const auto handle = [&](int body) {
+        return bodies.all()[static_cast<std::size_t>(body)].object->getBroadphaseHandle();
+    };
     const btBroadphasePair* pair =
-        world.getPairCache()->findPair(a.object->getBroadphaseHandle(), b.object->getBroadphaseHandle());
+        world.getPairCache()->findPair(handle(contact.a.body), handle(contact.b.body));
     if (pair == nullptr || pair->m_algorithm == nullptr) {
-        return;
+        return nullptr;
     }
     found_.resize(0);
     pair->m_algorithm->getAllContactManifolds(found_);
-    btPersistentManifold* manifold = nearest(found_, result.point);
-    if (manifold == nullptr) {
-        return;
-    }
-    const Vec3 friction = result.law.force - result.law.force.dot(result.normal) * result.normal;
-    const double sign = manifold->getBody0() == a.object ? 1 : -1;
-    share_out(*manifold, tick * result.law.normal_force, sign * tick * friction);
+    return nearest(found_, point);
 }
 
 void forget_algorithms(btCollisionWorld& world, btCollisionObject& object) {

@@ -69,8 +69,8 @@ std::shared_ptr<const PairGeometry> random_points(Random& random, const Pose& po
         points.push_back({pose_a.inverse() * at, pose_b.inverse() * (at + 2 * depth * normal),
                           pose_b.orientation.conjugate() * normal});
     }
-    auto geometry = std::make_shared<FrozenPoints>(depth * depth);
-    geometry->freeze(points);
+    auto geometry = std::make_shared<FrozenPoints>();
+    geometry->freeze(points, depth * depth);
     return geometry;
 }
 
