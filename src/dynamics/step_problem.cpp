@@ -142,9 +142,9 @@ bool StepProblem::factorize() {
     return jacobian_.factorize();
 }
 
-void StepProblem::solve(Eigen::VectorXd& x) {
+bool StepProblem::solve(Eigen::VectorXd& x) {
     const Stopwatch watch(costs_.solve);
-    jacobian_.solve(x);
+    return jacobian_.solve(x);
 }
 
 void StepProblem::solve_inertia(Eigen::VectorXd& x) const {
