@@ -30,4 +30,18 @@ template <FrictionLaw friction>
 TangentialForce carried_past(const ContactInput& in, const LawOptions& options,
                              const TangentialConstants& constants, ContactForce& out);
 
+/// Limits the constants as the step asks.
+void cap(const ContactInput& in, TangentialConstants& constants);
+
+/// Adds the increment −βh kt s, Eqs. (5.12), (5.15) and (5.17).
+void stretch(const ContactInput& in, const Slip& slip, const TangentialConstants& constants,
+             TangentialForce& spring);
+/// Adds the damping −γt √(kt M) s, Eq. (5.21).
+void damp(const ContactInput& in, const Slip& slip, const TangentialConstants& constants,
+          TangentialForce& force);
+
+/// Eqs. (5.16) and (5.29): what is larger than `most` is scaled back to `left`. Returns true when it was.
+bool cut_off(const ContactInput& in, const TangentialLimit& most, const TangentialLimit& left,
+             TangentialForce& force);
+
 }  // namespace scree

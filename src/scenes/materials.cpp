@@ -15,6 +15,9 @@ void override_named(const PairDescription& entry, PairMaterial& pair) {
     pair.tangential_damping = entry.tangential_damping.value_or(pair.tangential_damping);
     pair.tangential_ratio = entry.tangential_ratio.value_or(pair.tangential_ratio);
     pair.torsion = entry.torsion.value_or(pair.torsion);
+    if (entry.kinetic_friction) {
+        pair.kinetic_friction = entry.kinetic_friction;
+    }
 }
 
 }  // namespace

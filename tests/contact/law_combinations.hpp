@@ -71,6 +71,8 @@ inline ContactCase random_case(Random& random, const LawCombination& law) {
     for (FrictionRecord& record : c.history.past) {
         record.force *= 0.5;
     }
+    c.pair.kinetic_friction = random.uniform(0.5, 1) * c.pair.friction;
+    c.history.past[0].slipping = random.uniform() < 0.5;
     return c;
 }
 

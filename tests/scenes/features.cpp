@@ -26,7 +26,7 @@ TEST_CASE("A scene uses what it enters, and leaves out the rest", "[scenes]") {
         CAPTURE(left_out);
         CHECK_FALSE(features.uses(left_out));
     }
-    CHECK(features.used.size() + features.left_out.size() == 27);
+    CHECK(features.used.size() + features.left_out.size() == 28);
 }
 
 TEST_CASE("Friction and what hangs on it are left out together", "[scenes]") {
@@ -71,6 +71,13 @@ TEST_CASE("The law's choices are used where there is something for them to do", 
     }
     CHECK_FALSE(uses("torsion", {"law.friction=cundall_strack_2d"}));
     CHECK(uses("torsion", {"law.friction=viscous"}));
+}
+
+TEST_CASE("Kinetic friction is used where a material or a pair names it", "[scenes]") {
+    CHECK_FALSE(uses("kinetic_friction", {}));
+    CHECK(uses("kinetic_friction", {"materials.rock.kinetic_friction=0.4"}));
+    CHECK(uses("kinetic_friction", {R"(pairs=[{"materials": ["rock", "rock"], "kinetic_friction": 0.1}])"}));
+    CHECK_FALSE(uses("kinetic_friction", {"law.friction=none", "materials.rock.kinetic_friction=0.4"}));
 }
 
 TEST_CASE("A fixed step leaves the error control out", "[scenes]") {

@@ -16,6 +16,7 @@ struct FrictionRecord {
     Vec3 force = Vec3::Zero();    ///< [N]
     Vec3 normal = Vec3::UnitZ();  ///< the normal that it belongs to
     double stiffness = 0;         ///< kt [N/m] that it was stored with
+    bool slipping = false;        ///< it was at its limit
 };
 
 /// What a contact remembers of accepted steps. Only an accepted step changes it.
