@@ -19,22 +19,35 @@ Slip slip_motion(const ContactInput& in) {
 struct Limits {
     TangentialLimit held, kinetic;
 
-    Limits(const ContactInput& in, bool may_hold, double normal_force, const Row9& normal_force_rate)
-        : kinetic{in.pair.kinetic_friction * normal_force, in.pair.kinetic_friction * normal_force_rate} {
+    Limits(const ContactInput& in, bool may_hold, const PressingForce& pressing)
+        : kinetic{in.pair.kinetic_friction * pressing.size, in.pair.kinetic_friction * pressing.rate} {
         const bool slipping = in.history.age > 0 && in.history.past[0].slipping;
         if (may_hold && !slipping) {
-            held = {in.pair.friction * normal_force, in.pair.friction * normal_force_rate};
+            held = {in.pair.friction * pressing.size, in.pair.friction * pressing.rate};
         } else {
             held = kinetic;
         }
     }
 };
 
+// A force and the slip that it works against, taken apart.
+struct Parts {
+    Vec3 torsional, tangential;
+    double torsional_power, tangential_power;
+
+    Parts(const Vec3& force, const Vec3& slip, const Vec3& normal)
+        : torsional(force.dot(normal) * normal),
+          tangential(force - torsional),
+          torsional_power(torsional.dot(slip)),
+          tangential_power(tangential.dot(slip)) {}
+};
+
 // The spring: past, increment and cut-off. What is left is stored.
 template <LawParts parts>
 TangentialForce spring_force(const ContactInput& in, const LawOptions& options, const Slip& slip,
                              const Limits& limits, TangentialConstants& constants, ContactForce& out) {
-    TangentialForce spring = carried_past<parts.friction>(in, options, constants, out);
+    TangentialForce spring =
+        carried_past<parts.friction>(in, options, constants, &FrictionRecord::force, out);
     out.trial.normal = in.geometry.normal;
     out.trial.stiffness = constants.stiffness;
     cap(in, constants);
@@ -42,9 +55,10 @@ TangentialForce spring_force(const ContactInput& in, const LawOptions& options, 
     out.trial.slipping = cut_off(in, limits.held, limits.kinetic, spring);
     out.state = out.trial.slipping ? ContactState::slip : ContactState::stick;
     out.trial.force = spring.force;
-    out.power.tangential = -spring.force.dot(slip.velocity);
-    out.tangential_energy =
-        constants.stiffness > 0 ? 0.5 * spring.force.squaredNorm() / constants.stiffness : 0;
+    const Parts stored(spring.force, slip.velocity, in.geometry.normal);
+    out.power.tangential = -stored.tangential_power;
+    out.tangential_energy = stored_energy(stored.tangential, constants);
+    out.torsional_energy = stored_energy(stored.torsional, constants);
     return spring;
 }
 
@@ -71,10 +85,10 @@ void apply(const ContactInput& in, const TangentialForce& friction, ContactForce
 }  // namespace
 
 template <LawParts parts>
-void add_friction(const ContactInput& in, const Row9& normal_force_rate, const LawOptions& options,
+void add_friction(const ContactInput& in, const PressingForce& pressing, const LawOptions& options,
                   ContactForce& out) {
     constexpr bool has_spring = parts.friction != FrictionLaw::viscous;
-    const Limits limits(in, has_spring, out.normal_force, normal_force_rate);
+    const Limits limits(in, has_spring, pressing);
     const Slip slip = slip_motion<parts>(in);
     TangentialConstants constants = tangential_constants(in, options, slip);
     TangentialForce friction;
@@ -87,29 +101,34 @@ void add_friction(const ContactInput& in, const Row9& normal_force_rate, const L
     damp(in, slip, constants, friction);
     const TangentialLimit& limit = out.trial.slipping ? limits.kinetic : limits.held;
     const bool limited = cut_off(in, limit, limit, friction);
-    const double power = -friction.force.dot(slip.velocity);
+    const Parts acting(friction.force, slip.velocity, in.geometry.normal);
+    out.power.torsion = -acting.torsional_power;
     if constexpr (has_spring) {
-        out.power.tangential_damping = power - out.power.tangential;
+        out.power.tangential_damping = -acting.tangential_power - out.power.tangential;
     } else {
         out.state = limited ? ContactState::slip : ContactState::stick;
         out.trial.normal = in.geometry.normal;
         // At the limit it is Coulomb's friction.
-        (limited ? out.power.tangential : out.power.tangential_damping) = power;
+        (limited ? out.power.tangential : out.power.tangential_damping) = -acting.tangential_power;
     }
     apply<parts>(in, friction, out);
 }
 
-template void add_friction<LawParts{FrictionLaw::cundall_strack, true}>(const ContactInput&, const Row9&,
+template void add_friction<LawParts{FrictionLaw::cundall_strack, true}>(const ContactInput&,
+                                                                        const PressingForce&,
                                                                         const LawOptions&, ContactForce&);
-template void add_friction<LawParts{FrictionLaw::cundall_strack, false}>(const ContactInput&, const Row9&,
+template void add_friction<LawParts{FrictionLaw::cundall_strack, false}>(const ContactInput&,
+                                                                         const PressingForce&,
                                                                          const LawOptions&, ContactForce&);
-template void add_friction<LawParts{FrictionLaw::cundall_strack_2d, true}>(const ContactInput&, const Row9&,
+template void add_friction<LawParts{FrictionLaw::cundall_strack_2d, true}>(const ContactInput&,
+                                                                           const PressingForce&,
                                                                            const LawOptions&, ContactForce&);
-template void add_friction<LawParts{FrictionLaw::cundall_strack_2d, false}>(const ContactInput&, const Row9&,
+template void add_friction<LawParts{FrictionLaw::cundall_strack_2d, false}>(const ContactInput&,
+                                                                            const PressingForce&,
                                                                             const LawOptions&, ContactForce&);
-template void add_friction<LawParts{FrictionLaw::viscous, true}>(const ContactInput&, const Row9&,
+template void add_friction<LawParts{FrictionLaw::viscous, true}>(const ContactInput&, const PressingForce&,
                                                                  const LawOptions&, ContactForce&);
-template void add_friction<LawParts{FrictionLaw::viscous, false}>(const ContactInput&, const Row9&,
+template void add_friction<LawParts{FrictionLaw::viscous, false}>(const ContactInput&, const PressingForce&,
                                                                   const LawOptions&, ContactForce&);
 
 }  // namespace scree

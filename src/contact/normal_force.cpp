@@ -46,14 +46,8 @@ void add_rocking_damping(const ContactInput& in, double damping, ContactForce& o
     }
 }
 
-}  // namespace
-
-double volume_rate(const ContactGeometry& geometry, const RelativeMotion& motion) {
-    return geometry.area_vector.dot(motion.velocity) + geometry.area_moment().dot(motion.spin);
-}
-
-bool add_normal_force(const ContactInput& in, const LawOptions& options, ContactForce& out,
-                      Row9& normal_force_rate) {
+// Elasticity and damping.
+bool press(const ContactInput& in, const LawOptions& options, ContactForce& out, PressingForce& pressing) {
     const ContactGeometry& g = in.geometry;
     const double elastic = in.pair.elastic * g.volume;
     const double stored = -elastic * g.normal.dot(in.motion.velocity);
@@ -69,14 +63,14 @@ bool add_normal_force(const ContactInput& in, const LawOptions& options, Contact
     if (!(fn > 0)) {
         return false;
     }
-    out.normal_force = fn;
+    out.normal_force = pressing.size = fn;
     out.force += fn * g.normal;
     if (in.rates != nullptr) {
-        normal_force_rate = in.pair.elastic * in.rates->volume + damping.value * in.rates->volume_rate;
+        pressing.rate = in.pair.elastic * in.rates->volume + damping.value * in.rates->volume_rate;
         if (options.normal_damping != NormalDamping::length) {
-            normal_force_rate += damped * damping.growth;
+            pressing.rate += damped * damping.growth;
         }
-        out.force_rate.noalias() += g.normal * normal_force_rate;
+        out.force_rate.noalias() += g.normal * pressing.rate;
         out.force_rate.noalias() += fn * in.rates->normal;
     }
     if (g.flat_patch && options.damping == DampingPlace::patch) {
@@ -85,6 +79,34 @@ bool add_normal_force(const ContactInput& in, const LawOptions& options, Contact
     out.power.normal = -(out.force.dot(in.motion.velocity) + out.moment.dot(in.motion.spin));
     out.power.normal_damping += out.power.normal;
     return true;
+}
+
+void pull(const ContactInput& in, ContactForce& out) {
+    const double cohesion = in.pair.cohesion;
+    const Vec3& n = in.geometry.normal;
+    out.normal_force -= cohesion;
+    out.force -= cohesion * n;
+    out.power.cohesion = cohesion * n.dot(in.motion.velocity);
+    out.cohesive_energy = -cohesion * in.geometry.depth;
+    if (in.rates != nullptr) {
+        out.force_rate -= cohesion * in.rates->normal;
+    }
+}
+
+}  // namespace
+
+double volume_rate(const ContactGeometry& geometry, const RelativeMotion& motion) {
+    return geometry.area_vector.dot(motion.velocity) + geometry.area_moment().dot(motion.spin);
+}
+
+bool add_normal_force(const ContactInput& in, const LawOptions& options, ContactForce& out,
+                      PressingForce& pressing) {
+    const bool pressed = press(in, options, out, pressing);
+    if (in.pair.cohesion > 0) {
+        pull(in, out);
+        return true;
+    }
+    return pressed;
 }
 
 }  // namespace scree

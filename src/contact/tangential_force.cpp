@@ -59,4 +59,8 @@ bool cut_off(const ContactInput& in, const TangentialLimit& most, const Tangenti
     return true;
 }
 
+double stored_energy(const Vec3& force, const TangentialConstants& constants) {
+    return constants.stiffness > 0 ? 0.5 * force.squaredNorm() / constants.stiffness : 0;
+}
+
 }  // namespace scree

@@ -17,6 +17,7 @@ struct FrictionRecord {
     Vec3 normal = Vec3::UnitZ();  ///< the normal that it belongs to
     double stiffness = 0;         ///< kt [N/m] that it was stored with
     bool slipping = false;        ///< it was at its limit
+    Vec3 rolling = Vec3::Zero();  ///< the moment against rolling over Lc/2 [N], across the normal
 };
 
 /// What a contact remembers of accepted steps. Only an accepted step changes it.

@@ -18,6 +18,8 @@ struct Material {
     bool torsion = true;                  ///< resist spin about the contact normal
     /// μ while it slides, at most that above; empty: the same.
     std::optional<double> kinetic_friction = std::nullopt;
+    double rolling_friction = 0;  ///< μ_r: the largest rolling moment over the normal force and Lc/2
+    double cohesion = 0;          ///< [N], the largest pull that a contact bears
 };
 
 /// What a pair of materials is made of; the same fields, without the density.
@@ -29,10 +31,12 @@ struct PairMaterial {
     double tangential_ratio = 2.0 / 7.0;
     bool torsion = true;
     std::optional<double> kinetic_friction = std::nullopt;
+    double rolling_friction = 0;
+    double cohesion = 0;
 };
 
-/// The mixing rules: harmonic mean of Y, the smaller μ at rest and in motion, means of the dampings and of
-/// Yt/Y, torsion if both have it.
+/// The mixing rules: harmonic mean of Y; the smaller μ at rest, in motion and of rolling, the smaller
+/// cohesion; means of the dampings and of Yt/Y; torsion if both have it.
 PairMaterial mix(const Material& a, const Material& b);
 
 /// What the pair constants need to know of a body.
@@ -55,6 +59,8 @@ struct PairConstants {
     double tangential_damping = 0;    ///< γt √(Yt M_red Lc) [N s/m], Eq. (5.21)
     double friction = 0;              ///< μ
     double kinetic_friction = 0;      ///< μ from when a contact slips until it sticks again
+    double rolling_friction = 0;      ///< μ_r
+    double cohesion = 0;              ///< [N]
     bool torsion = true;
     Vec3 inverse_inertia_a = Vec3::Zero();  ///< about A's principal axes [1/(kg m²)]
     Vec3 inverse_inertia_b = Vec3::Zero();
