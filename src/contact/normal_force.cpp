@@ -81,15 +81,35 @@ bool press(const ContactInput& in, const LawOptions& options, ContactForce& out,
     return true;
 }
 
+// Of ∫ r×n_A dA about the centroid, seen by B and then turned with it.
+Mat39 area_moment_rate(const ContactInput& in) {
+    const ContactGeometry& g = in.geometry;
+    const MotionRates& rates = *in.rates;
+    const Mat39 centroid = rates.arm_b + cross_matrix(in.arms.b) * rates.turn_b;
+    Mat39 rate = cross_matrix(g.area_vector) * centroid - cross_matrix(g.area_moment()) * rates.turn_b;
+    rate.noalias() += g.boundary.bottomRows<3>() * rates.xi;
+    return rate;
+}
+
+// A suction, the same all over the patch. Where S vanishes it is a force at the centroid.
 void pull(const ContactInput& in, ContactForce& out) {
+    const ContactGeometry& g = in.geometry;
     const double cohesion = in.pair.cohesion;
-    const Vec3& n = in.geometry.normal;
+    const double suction = g.centre_line ? 0 : cohesion / g.area;
+    const Vec3 force = -cohesion * g.normal;
+    const Vec3 moment = suction * g.area_moment();
     out.normal_force -= cohesion;
-    out.force -= cohesion * n;
-    out.power.cohesion = cohesion * n.dot(in.motion.velocity);
-    out.cohesive_energy = -cohesion * in.geometry.depth;
-    if (in.rates != nullptr) {
-        out.force_rate -= cohesion * in.rates->normal;
+    out.force += force;
+    out.moment += moment;
+    out.power.cohesion = -(force.dot(in.motion.velocity) + moment.dot(in.motion.spin));
+    out.cohesive_energy = -cohesion * g.depth;
+    if (in.rates == nullptr) {
+        return;
+    }
+    out.force_rate -= cohesion * in.rates->normal;
+    if (suction > 0) {
+        out.moment_rate += suction * area_moment_rate(in);
+        out.moment_rate.noalias() -= moment * patch_growth(in);
     }
 }
 

@@ -93,8 +93,12 @@ constexpr Feature features[] = {
          return by_law(s) && has_friction(s) && s.law.friction != FrictionLaw::cundall_strack_2d &&
                 has_polygonal_patches(s) && anywhere<&Material::torsion, &PairDescription::torsion>(s);
      }},
-    {"rolling_friction", anywhere<&Material::rolling_friction, &PairDescription::rolling_friction>},
-    {"cohesion", anywhere<&Material::cohesion, &PairDescription::cohesion>},
+    {"rolling_friction",
+     [](const S& s) {
+         return by_law(s) && anywhere<&Material::rolling_friction, &PairDescription::rolling_friction>(s);
+     }},
+    {"cohesion",
+     [](const S& s) { return by_law(s) && anywhere<&Material::cohesion, &PairDescription::cohesion>(s); }},
     {"normal_damping", has_normal_damping},
     {"rocking_damping",
      [](const S& s) {

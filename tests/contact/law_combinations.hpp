@@ -78,6 +78,7 @@ inline ContactCase random_case(Random& random, const LawCombination& law) {
             record.rolling = moment * record.normal.cross(random.vector());
         }
     }
+    c.pair.cohesion = random.uniform() < 0.3 ? 0.5 * c.normal_force() : 0;
     c.pair.kinetic_friction = random.uniform(0.5, 1) * c.pair.friction;
     c.history.past[0].slipping = random.uniform() < 0.5;
     return c;

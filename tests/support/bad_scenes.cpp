@@ -243,7 +243,6 @@ constexpr BadSetting absent_settings[] = {
     {"law.normal=energy", "law.normal: found \"energy\", which is not in this build"},
     {"law.normal=manifold", "law.normal: found \"manifold\", which is not in this build"},
     {"materials.rock.torsion=patch", "materials.rock.torsion: found \"patch\", which is not in this build"},
-    {"materials.rock.cohesion=1", "materials.rock.cohesion: found 1, which is not in this build"},
     {"shapes.s={\"mesh\":\"a.obj\",\"parts\":\"decompose\"}",
      "shapes.s.parts: found \"decompose\", which is"},
     {"output.replay=true", "output.replay: found true, which is not in this build"},

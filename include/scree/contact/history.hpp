@@ -27,6 +27,9 @@ struct ContactHistory {
     bool centre_line = false;                        ///< the normal was the line of centres
     double normal_energy = 0;                        ///< stored [J], where the law has a potential
     double tangential_energy = 0;                    ///< stored [J]
+    double torsional_energy = 0;
+    double rolling_energy = 0;
+    double cohesive_energy = 0;
 
     /// An accepted step in contact.
     void push(const FrictionRecord& record) {
@@ -42,7 +45,7 @@ struct ContactHistory {
     void clear() {
         age = 0;
         centre_line = false;
-        normal_energy = tangential_energy = 0;
+        normal_energy = tangential_energy = torsional_energy = rolling_energy = cohesive_energy = 0;
     }
 };
 

@@ -33,6 +33,14 @@ struct ContactPower {
     double cohesion = 0;            ///< against the pull of cohesion
 };
 
+/// Which branches of a law its answer came from; its derivative jumps where they change.
+struct ContactRegime {
+    ContactState state = ContactState::open;
+    bool rolls = false;
+
+    bool operator==(const ContactRegime&) const = default;
+};
+
 /// What a contact law answers.
 struct ContactForce {
     Vec3 force = Vec3::Zero();   ///< [N], on A at the centroid; −force on B
@@ -50,6 +58,8 @@ struct ContactForce {
     bool lost_direction = false;       ///< a stored force was normal to the new plane and started from zero
     Mat39 force_rate = Mat39::Zero();  ///< by the nine unknowns of MotionRates, when asked for
     Mat39 moment_rate = Mat39::Zero();
+
+    [[nodiscard]] ContactRegime regime() const { return {state, rolls}; }
 };
 
 /// A law answers for one contact at a time; `law(input, force)` fills `force`, rates included when
