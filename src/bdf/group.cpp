@@ -116,7 +116,7 @@ bool Group::same_contacts(const System& whole, std::span<const std::size_t> cont
                           const Contact& other = whole.contacts[number];
                           return bodies_[at(mine.a.body)] == other.a.body &&
                                  bodies_[at(mine.b.body)] == other.b.body && same_collider(mine.a, other.a) &&
-                                 same_collider(mine.b, other.b);
+                                 same_collider(mine.b, other.b) && mine.geometry == other.geometry;
                       });
 }
 
@@ -204,6 +204,15 @@ void Group::commit(System& whole, std::vector<ContactResult>& results) {
     asleep_ = calm_ >= calm_meetings;
 }
 
+// A prescribed body that moves, or will again, or whose surface does, works on what lies against it.
+bool Group::drives(const Body& body, const BodyState& state, double time) {
+    if (state.momentum != Vec3::Zero() || state.angular_momentum != Vec3::Zero()) {
+        return true;
+    }
+    return body.path != nullptr &&
+           (std::isfinite(body.path->time_scale()) || body.path->at(time).surface_velocity != Vec3::Zero());
+}
+
 // Next to no motion, and forces in balance.
 bool Group::at_rest() const {
     const Tolerances& tolerances = options_.tolerances;
@@ -211,7 +220,7 @@ bool Group::at_rest() const {
         const Body& body = system_.bodies[i];
         const BodyState& state = system_.states[i];
         if (!body.dynamic()) {
-            if (state.momentum != Vec3::Zero() || state.angular_momentum != Vec3::Zero()) {
+            if (drives(body, state, integrator_->time())) {
                 return false;
             }
             continue;

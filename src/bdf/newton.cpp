@@ -12,10 +12,12 @@ constexpr std::size_t most_iterations = 25;
 constexpr std::size_t full_steps = 4;  // before the search sets in
 constexpr std::size_t most_age = 20;   // steps that a factorisation serves
 constexpr double most_change = 0.3;    // of βh, that a factorisation survives
-constexpr double still_share = 1e-4;   // of what is solved, that a prediction needs no iteration for
-constexpr double stall = 0.5;          // ratio of successive defects, above which they are noise
-constexpr double slow = 0.2;           // ratio of successive defects, above which the matrix is made anew
-constexpr double steep = 0.5;          // share of the first slope that a searched step may leave
+constexpr double still_share = 1e-2;   // of what is solved, that a prediction needs no iteration for
+constexpr double hard_share =
+    30;  // times what is solved, that will do where bodies collide: nothing creeps there
+constexpr double stall = 0.5;  // ratio of successive defects, above which they are noise
+constexpr double slow = 0.2;   // ratio of successive defects, above which the matrix is made anew
+constexpr double steep = 0.5;  // share of the first slope that a searched step may leave
 constexpr int most_searches = 8;
 constexpr double small_share = 0.3;  // of a direction, twice in a row: a smaller step costs less
 constexpr double caps[] = {0.3, 1, 3, 10, 30};
@@ -126,7 +128,8 @@ Newton::Outcome Newton::iterate(StepProblem& problem, std::span<const Body> bodi
         // At the rounding of the forces, or of the positions that they follow from, an exact direction gains
         // nothing more.
         const bool stalled = anew && defect > stall * last;
-        if (defect <= solved_share * tolerance ||
+        const double enough = solved_share * tolerance * (i + 1 >= full_steps ? hard_share : 1);
+        if (defect <= enough ||
             (stalled && (defect <= tolerance || at_rounding(problem, bodies, direction_)))) {
             return Outcome::converged;
         }

@@ -17,6 +17,9 @@ foreach(component IN LISTS SCREE_COMPONENTS)
 endforeach()
 if(TARGET scree_program)
     install(TARGETS scree_program RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+    # The scenes that come with it, which find their meshes as they do in the source tree.
+    install(DIRECTORY ${PROJECT_SOURCE_DIR}/demos ${PROJECT_SOURCE_DIR}/meshes
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/scree FILES_MATCHING PATTERN scene.json PATTERN *.obj)
 endif()
 
 configure_package_config_file(${PROJECT_SOURCE_DIR}/src/cmake/scree-config.cmake.in

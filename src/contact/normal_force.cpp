@@ -36,7 +36,7 @@ DampingConstant damping_constant(const ContactInput& in, NormalDamping kind) {
 // in the overlap.
 void add_rocking_damping(const ContactInput& in, double damping, ContactForce& out) {
     const ContactGeometry& g = in.geometry;
-    const Mat3 across = -damping * cross_matrix(g.normal);
+    const Mat3 across = -damping * g.tilting * cross_matrix(g.normal);
     const Mat3 by_velocity = across * (g.first_moment - 0.5 * g.volume * Mat3::Identity());
     const Mat3 by_spin = across * g.second_moment;
     out.moment += by_velocity * in.motion.velocity + by_spin * in.motion.spin;

@@ -1,15 +1,13 @@
 #include <scree/detect/body_shape.hpp>
 
 #include <algorithm>
-#include <limits>
-#include <numbers>
 #include <stdexcept>
 #include <string>
 
 #include <scree/detect/collision_shapes.hpp>
 #include <scree/detect/convert.hpp>
-#include <scree/mesh/convex_hull.hpp>
-#include <scree/mesh/mass_properties.hpp>
+
+#include "leaf_shape.hpp"
 
 namespace scree {
 
@@ -17,64 +15,8 @@ namespace {
 
 constexpr std::size_t least_kept = 16;
 
-struct Volume {
-    double operator()(const ConvexPolyhedron& solid) const { return mass_properties(solid).volume; }
-    double operator()(const HalfSpace&) const { return std::numeric_limits<double>::infinity(); }
-    double operator()(const Sphere& sphere) const {
-        return 4.0 / 3.0 * std::numbers::pi * sphere.radius * sphere.radius * sphere.radius;
-    }
-};
-
 [[noreturn]] void refuse(const btCollisionShape& shape, const std::string& reason) {
     throw std::invalid_argument("shape " + std::string(shape.getName()) + ": " + reason);
-}
-
-// Points and sizes as Bullet has them, scaling included. Empty: a shape that is not done.
-std::vector<Vec3> measures(const btCollisionShape& shape) {
-    std::vector<Vec3> numbers;
-    if (shape.getShapeType() == BOX_SHAPE_PROXYTYPE) {
-        numbers.push_back(2 * to_eigen(static_cast<const btBoxShape&>(shape).getHalfExtentsWithMargin()));
-    } else if (shape.getShapeType() == CONVEX_HULL_SHAPE_PROXYTYPE) {
-        const auto& hull = static_cast<const btConvexHullShape&>(shape);
-        for (int i = 0; i < hull.getNumPoints(); ++i) {
-            numbers.push_back(to_eigen(hull.getScaledPoint(i)));
-        }
-    } else if (shape.getShapeType() == SPHERE_SHAPE_PROXYTYPE) {
-        numbers.emplace_back(static_cast<const btSphereShape&>(shape).getRadius(), 0, 0);
-    } else if (shape.getShapeType() == STATIC_PLANE_PROXYTYPE) {
-        const auto& plane = static_cast<const btStaticPlaneShape&>(shape);
-        numbers.push_back(to_eigen(plane.getPlaneNormal()));
-        numbers.emplace_back(plane.getPlaneConstant(), 0, 0);
-    }
-    return numbers;
-}
-
-bool sound(const btCollisionShape& shape, const std::vector<Vec3>& numbers) {
-    const bool finite =
-        std::all_of(numbers.begin(), numbers.end(), [](const Vec3& v) { return v.allFinite(); });
-    switch (shape.getShapeType()) {
-        case BOX_SHAPE_PROXYTYPE:
-            return finite && numbers[0].minCoeff() > 0;
-        case SPHERE_SHAPE_PROXYTYPE:
-            return finite && numbers[0].x() > 0;
-        case STATIC_PLANE_PROXYTYPE:
-            return finite && numbers[0].norm() > 0;
-        default:
-            return finite;
-    }
-}
-
-Shape build(const btCollisionShape& shape, const std::vector<Vec3>& numbers) {
-    switch (shape.getShapeType()) {
-        case BOX_SHAPE_PROXYTYPE:
-            return make_box(numbers[0]);
-        case SPHERE_SHAPE_PROXYTYPE:
-            return Sphere{numbers[0].x()};
-        case STATIC_PLANE_PROXYTYPE:
-            return HalfSpace{numbers[0].normalized(), numbers[1].x()};
-        default:
-            return convex_hull(numbers).solid;
-    }
 }
 
 }  // namespace
@@ -99,19 +41,27 @@ void ShapeLibrary::add_parts(const btCollisionShape& shape, const Pose& local, B
     const auto* polyhedron = dynamic_cast<const PolyhedronShape*>(&shape);
     BodyPart part;
     part.shape = polyhedron != nullptr ? polyhedron->exact() : simple_shape(shape);
-    part.local = local;
-    part.volume = std::visit(Volume{}, *part.shape);
+    part.local = local * exact_in_leaf(shape);
+    part.volume = volume(*part.shape);
+    part.bullet = &shape;
+    part.bullet_local = local;
+    part.skin = polyhedron == nullptr ? leaf_skin(shape) : 0;
+    body.skin = std::max(body.skin, part.skin);
+    body.open = body.open || std::holds_alternative<OpenSurface>(*part.shape);
     body.volume += part.volume;
     body.radius = std::max(body.radius, local.position.norm() + bounding_radius(*part.shape));
     body.parts.push_back(std::move(part));
 }
 
 std::shared_ptr<const Shape> ShapeLibrary::simple_shape(const btCollisionShape& shape) {
-    const std::vector<Vec3> numbers = measures(shape);
+    const std::vector<Vec3> numbers = leaf_measures(shape);
     if (numbers.empty()) {
-        refuse(shape, "not done; a hull, box, sphere, plane or a compound of these is");
+        refuse(
+            shape,
+            "not done; a hull, box, sphere, capsule, cylinder, cone, plane, mesh or height field that stands "
+            "still, or a compound of these is");
     }
-    if (!sound(shape, numbers)) {
+    if (!sound_leaf(shape, numbers)) {
         refuse(shape, "sizes must be finite and positive");
     }
     Recipe recipe{static_cast<double>(shape.getShapeType())};
@@ -124,7 +74,7 @@ std::shared_ptr<const Shape> ShapeLibrary::simple_shape(const btCollisionShape& 
     }
     std::shared_ptr<const Shape> made;
     try {
-        made = std::make_shared<const Shape>(build(shape, numbers));
+        made = std::make_shared<const Shape>(build_leaf(shape, numbers));
     } catch (const std::invalid_argument& error) {
         known_.erase(recipe);
         refuse(shape, error.what());

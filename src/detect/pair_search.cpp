@@ -67,8 +67,9 @@ void PairSearch::place(btCollisionWorld& world, std::span<const SearchBody> bodi
         const auto finite = [](const Vec3& v) -> btVector3 {
             return to_bullet(v.cwiseMax(-BT_LARGE_FLOAT).cwiseMin(BT_LARGE_FLOAT));
         };
-        const btVector3 low = finite(box.low.array() - body.reach);
-        const btVector3 high = finite(box.high.array() + body.reach);
+        const double around = body.reach + body.skin;
+        const btVector3 low = finite(box.low.array() - around);
+        const btVector3 high = finite(box.high.array() + around);
         btBroadphaseProxy* proxy = body.object->getBroadphaseHandle();
         if (!same(low, proxy->m_aabbMin) || !same(high, proxy->m_aabbMax)) {
             TreeMargin::set(std::isfinite(body.shape->radius) ? fatness * body.shape->radius : 0);
@@ -107,7 +108,7 @@ void PairSearch::add_pairs(int a, int b, btDispatcher& dispatcher, std::span<con
     if (!body_a.dynamic && !body_b.dynamic) {
         return;
     }
-    const double reach = body_a.reach + body_b.reach;
+    const double reach = body_a.reach + body_a.skin + body_b.reach + body_b.skin;
     const PlacedPart* parts_a = &parts_[first_part_[static_cast<std::size_t>(a)]];
     const PlacedPart* parts_b = &parts_[first_part_[static_cast<std::size_t>(b)]];
     bool wanted = false;  // asked once a pair of bodies, and only of those that are near
@@ -143,19 +144,12 @@ bool PairSearch::near(const PlacedPart& a, const PlacedPart& b, double reach) {
 
 // Of the part's lowest point [m].
 double PairSearch::height_above(const HalfSpace& ground, const PlacedPart& at, const PlacedPart& part) {
+    if (std::holds_alternative<HalfSpace>(*part.shape)) {
+        return infinity;  // two half-spaces make no contact
+    }
     const Vec3 normal = at.pose.orientation * ground.normal;
     const double origin = normal.dot(part.pose.position - at.pose.position) - ground.offset;
-    const auto* solid = std::get_if<ConvexPolyhedron>(part.shape);
-    if (solid == nullptr) {
-        const bool sphere = std::holds_alternative<Sphere>(*part.shape);
-        return sphere ? origin - part.radius : infinity;  // two half-spaces make no contact
-    }
-    const Vec3 up = part.pose.orientation.conjugate() * normal;
-    double lowest = infinity;
-    for (const Vec3& vertex : solid->vertices) {
-        lowest = std::min(lowest, up.dot(vertex));
-    }
-    return origin + lowest;
+    return origin - reach_along(*part.shape, part.pose.orientation.conjugate() * -normal);
 }
 
 }  // namespace scree

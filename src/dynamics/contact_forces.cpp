@@ -11,8 +11,12 @@ bool locate(const Contact& contact, const TrialBody& a, const TrialBody& b, Deta
             OverlapWorkspace& workspace, ContactGeometry& geometry, PairArms& arms) {
     const Pose pose_a = a.pose * contact.a.local;
     const Pose pose_b = b.pose * contact.b.local;
-    if (!overlap(*contact.a.shape, pose_a, *contact.b.shape, pose_b, detail, contact.history.centre_line,
-                 workspace, geometry)) {
+    const bool line = contact.history.centre_line;
+    const bool touching =
+        contact.geometry
+            ? contact.geometry->geometry(pose_a, pose_b, detail, line, workspace, geometry)
+            : overlap(*contact.a.shape, pose_a, *contact.b.shape, pose_b, detail, line, workspace, geometry);
+    if (!touching) {
         return false;
     }
     arms.a = geometry.centroid + a.pose.orientation * contact.a.local.position;

@@ -31,6 +31,7 @@ void rotate(ContactGeometry& g, const Mat3& turn) {
     g.normal = turn * g.normal;
     g.first_moment = both(g.first_moment);
     g.second_moment = both(g.second_moment);
+    g.tilting = both(g.tilting);
     for (int row = 0; row < 6; row += 3) {
         for (int column = 0; column < 6; column += 3) {
             g.boundary.block<3, 3>(row, column) = both(g.boundary.block<3, 3>(row, column)).eval();

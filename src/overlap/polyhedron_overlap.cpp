@@ -73,6 +73,11 @@ bool behind_a_face(const ConvexPolyhedron& a, const ConvexPolyhedron& b, const P
     return height > 0 && beyond(b, b_in_a.orientation.conjugate() * farthest->normal, -height);
 }
 
+void keep_frame(const Pose& pose, OverlapWorkspace& workspace) {
+    workspace.frame = pose;
+    workspace.solid = true;
+}
+
 Pose relative(const Pose& pose_a, const Pose& pose_b) {
     const Quat back = pose_a.orientation.conjugate();
     return {back * (pose_b.position - pose_a.position), back * pose_b.orientation};
@@ -114,6 +119,7 @@ bool overlap_polyhedra(const ConvexPolyhedron& a, const Pose& pose_a, const Conv
         return false;
     }
     rotate(geometry, pose_a.orientation.toRotationMatrix());
+    keep_frame(pose_a, workspace);
     return true;
 }
 
@@ -138,6 +144,7 @@ bool overlap_half_space(const ConvexPolyhedron& a, const Pose& pose_a, const Hal
     rotate(geometry, pose_a.orientation.toRotationMatrix());
     geometry.normal = normal;  // exact, whatever the rounding of the cut
     geometry.depth_moment = -geometry.volume * (height + normal.dot(geometry.centroid));
+    keep_frame(pose_a, workspace);
     return true;
 }
 

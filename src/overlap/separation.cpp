@@ -9,34 +9,16 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-double support_of(const ConvexPolyhedron& solid, const Pose& pose, const Vec3& direction) {
-    const Vec3 inner = pose.orientation.conjugate() * direction;
-    double highest = -infinity;
-    for (const Vec3& vertex : solid.vertices) {
-        highest = std::max(highest, inner.dot(vertex));
+struct Width {
+    double operator()(const ConvexPolyhedron& solid) const { return solid.width; }
+    double operator()(const HalfSpace& /*ground*/) const { return infinity; }
+    double operator()(const Sphere& sphere) const { return 2 * sphere.radius; }
+    double operator()(const Frustum& frustum) const {
+        return 2 * std::min(frustum.half_height, std::max(frustum.bottom, frustum.top));
     }
-    return highest + direction.dot(pose.position);
-}
-
-double support_of(const HalfSpace& half_space, const Pose& pose, const Vec3& direction) {
-    constexpr double parallel = 1 - 1e-12;
-    const bool along = direction.dot(pose.orientation * half_space.normal) > parallel;
-    return along ? half_space.offset + direction.dot(pose.position) : infinity;
-}
-
-double support_of(const Sphere& sphere, const Pose& pose, const Vec3& direction) {
-    return sphere.radius + direction.dot(pose.position);
-}
-
-double width_of(const ConvexPolyhedron& solid) {
-    return solid.width;
-}
-double width_of(const HalfSpace& /*half_space*/) {
-    return infinity;
-}
-double width_of(const Sphere& sphere) {
-    return 2 * sphere.radius;
-}
+    double operator()(const Capsule& capsule) const { return 2 * capsule.radius; }
+    double operator()(const OpenSurface& /*surface*/) const { return infinity; }
+};
 
 // The normal of the face that `point` is farthest above; a shape without faces has none.
 bool facing(const Shape& shape, const Pose& pose, const Vec3& point, Vec3& axis) {
@@ -65,11 +47,16 @@ bool facing(const Shape& shape, const Pose& pose, const Vec3& point, Vec3& axis)
 }  // namespace
 
 double support(const Shape& shape, const Pose& pose, const Vec3& direction) {
-    return std::visit([&](const auto& solid) { return support_of(solid, pose, direction); }, shape);
+    constexpr double parallel = 1 - 1e-12;  // to the rounding of a turned normal
+    if (const auto* ground = std::get_if<HalfSpace>(&shape)) {
+        const bool along = direction.dot(pose.orientation * ground->normal) > parallel;
+        return along ? ground->offset + direction.dot(pose.position) : infinity;
+    }
+    return reach_along(shape, pose.orientation.conjugate() * direction) + direction.dot(pose.position);
 }
 
 double width(const Shape& shape) {
-    return std::visit([](const auto& solid) { return width_of(solid); }, shape);
+    return std::visit(Width{}, shape);
 }
 
 Separation separation(const Shape& a, const Pose& pose_a, const Shape& b, const Pose& pose_b) {

@@ -1,5 +1,7 @@
 #include <scree/overlap/shape.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace scree {
@@ -7,6 +9,44 @@ namespace scree {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
+
+struct BoundingRadius {
+    double operator()(const ConvexPolyhedron& solid) const { return solid.radius; }
+    double operator()(const HalfSpace& /*ground*/) const { return infinity; }
+    double operator()(const Sphere& sphere) const { return sphere.radius; }
+    double operator()(const Frustum& frustum) const { return frustum.facets.radius; }
+    double operator()(const Capsule& capsule) const { return capsule.half_length + capsule.radius; }
+    double operator()(const OpenSurface& surface) const {
+        return surface.low.cwiseAbs().cwiseMax(surface.high.cwiseAbs()).norm();
+    }
+};
+
+struct ReachAlong {
+    const Vec3& direction;
+
+    double operator()(const ConvexPolyhedron& solid) const {
+        double reach = -infinity;
+        for (const Vec3& vertex : solid.vertices) {
+            reach = std::max(reach, direction.dot(vertex));
+        }
+        return reach;
+    }
+    double operator()(const HalfSpace& ground) const {
+        return direction == ground.normal ? ground.offset : infinity;
+    }
+    double operator()(const Sphere& sphere) const { return sphere.radius; }
+    double operator()(const Frustum& frustum) const {
+        const double sideways = direction.head<2>().norm();
+        const double height = frustum.half_height * direction.z();
+        return std::max(frustum.top * sideways + height, frustum.bottom * sideways - height);
+    }
+    double operator()(const Capsule& capsule) const {
+        return capsule.radius + capsule.half_length * std::abs(direction.z());
+    }
+    double operator()(const OpenSurface& surface) const {
+        return direction.cwiseProduct(surface.low).cwiseMax(direction.cwiseProduct(surface.high)).sum();
+    }
+};
 
 Bounds bounds_of(const ConvexPolyhedron& solid, const Pose& pose) {
     const Mat3 turn = pose.orientation.toRotationMatrix();
@@ -40,16 +80,26 @@ Bounds bounds_of(const Sphere& sphere, const Pose& pose) {
     return {pose.position - reach, pose.position + reach};
 }
 
+template <class Solid>
+Bounds bounds_of(const Solid& solid, const Pose& pose) {
+    const Mat3 turn = pose.orientation.toRotationMatrix();
+    Bounds box;
+    for (int axis = 0; axis < 3; ++axis) {
+        const Vec3 along = turn.row(axis);
+        box.high[axis] = pose.position[axis] + ReachAlong{along}(solid);
+        box.low[axis] = pose.position[axis] - ReachAlong{-along}(solid);
+    }
+    return box;
+}
+
 }  // namespace
 
 double bounding_radius(const Shape& shape) {
-    if (const auto* solid = std::get_if<ConvexPolyhedron>(&shape)) {
-        return solid->radius;
-    }
-    if (const auto* sphere = std::get_if<Sphere>(&shape)) {
-        return sphere->radius;
-    }
-    return infinity;
+    return std::visit(BoundingRadius{}, shape);
+}
+
+double reach_along(const Shape& shape, const Vec3& direction) {
+    return std::visit(ReachAlong{direction}, shape);
 }
 
 Bounds bounds(const Shape& shape, const Pose& pose) {

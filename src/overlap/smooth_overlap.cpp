@@ -78,6 +78,20 @@ bool fill_cap(ContactGeometry& g, double radius, const Vec3& normal, double heig
     return true;
 }
 
+template <class Solid>
+bool near_solid(const Sphere& a, const Pose& pose_a, const Solid& b, double radius_b, const Pose& pose_b,
+                ContactGeometry& g) {
+    const Vec3 apart = pose_a.position - pose_b.position;
+    const double reach = a.radius + radius_b;
+    if (apart.squaredNorm() > reach * reach) {
+        return false;
+    }
+    const Mat3 turn = pose_b.orientation.toRotationMatrix();
+    const NearestFeature nearest = nearest_feature(b, turn.transpose() * apart);
+    return fill_cap(g, a.radius, turn * nearest.normal, nearest.height,
+                    turn * nearest.normal_rate * turn.transpose());
+}
+
 }  // namespace
 
 bool overlap_cap(const Sphere& a, const Pose& pose_a, const HalfSpace& b, const Pose& pose_b,
@@ -93,15 +107,17 @@ bool overlap_cap(const Sphere& a, const Pose& pose_a, const HalfSpace& b, const 
 
 bool overlap_nearest(const Sphere& a, const Pose& pose_a, const ConvexPolyhedron& b, const Pose& pose_b,
                      ContactGeometry& g) {
-    const Vec3 apart = pose_a.position - pose_b.position;
-    const double reach = a.radius + b.radius;
-    if (apart.squaredNorm() > reach * reach) {
-        return false;
-    }
-    const Mat3 turn = pose_b.orientation.toRotationMatrix();
-    const NearestFeature nearest = nearest_feature(b, turn.transpose() * apart);
-    return fill_cap(g, a.radius, turn * nearest.normal, nearest.height,
-                    turn * nearest.normal_rate * turn.transpose());
+    return near_solid(a, pose_a, b, b.radius, pose_b, g);
+}
+
+bool overlap_nearest(const Sphere& a, const Pose& pose_a, const Frustum& b, const Pose& pose_b,
+                     ContactGeometry& g) {
+    return near_solid(a, pose_a, b, b.facets.radius, pose_b, g);
+}
+
+bool overlap_nearest(const Sphere& a, const Pose& pose_a, const Capsule& b, const Pose& pose_b,
+                     ContactGeometry& g) {
+    return near_solid(a, pose_a, b, b.half_length + b.radius, pose_b, g);
 }
 
 bool overlap_lens(const Sphere& a, const Pose& pose_a, const Sphere& b, const Pose& pose_b,

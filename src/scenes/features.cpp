@@ -125,6 +125,7 @@ constexpr Feature features[] = {
     {"spheres", has_shape<Sphere>},
     {"half_spaces", has_shape<HalfSpace>},
     {"decomposition", has_parts},
+    {"bullet_manifolds", [](const S& s) { return s.law.normal == NormalLaw::manifold; }},
     {"fixed_bodies", has_motion<FixedMotion>},
     {"prescribed_motion", has_motion<PrescribedMotion>},
     {"fill", [](const S& s) { return !s.fill.empty(); }},

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include <scree/scenes/simulation.hpp>
 
@@ -100,7 +101,7 @@ BodyDescription body(const std::string& name, const Pose& pose, MotionDescriptio
     description.material = "rock";
     description.position = pose.position;
     description.orientation = pose.orientation;
-    description.motion = motion;
+    description.motion = std::move(motion);
     return description;
 }
 

@@ -22,7 +22,6 @@ constexpr Absent absent[] = {
     {"pairs.*.torsion", "patch"},
     {"shapes.*.parts", "decompose"},
     {"shapes.*.parts", several},
-    {"law.normal", "manifold"},
     {"law.normal", "energy"},
     {"output.replay", on},
     {"output.vtk", on},

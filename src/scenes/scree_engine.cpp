@@ -33,6 +33,7 @@ SteppingOptions stepping_options(const SceneDescription& scene) {
 }  // namespace
 
 ScreeEngine::ScreeEngine(const SceneDescription& scene) : scene_(scene) {
+    world_.set_manifolds(false);
     world_.setGravity(to_bullet(scene.gravity));
     world_.set_stepping(stepping_options(scene));
     world_.set_mixing([this](const btRigidBody& a, const Material&, const btRigidBody& b, const Material&) {
@@ -40,6 +41,9 @@ ScreeEngine::ScreeEngine(const SceneDescription& scene) : scene_(scene) {
                              materials_[static_cast<std::size_t>(b.getUserIndex())]);
     });
     world_.set_contact_law(scene.law.friction, scene.law);
+    if (scene.law.normal == NormalLaw::manifold) {
+        world_.set_contact_geometry(GeometrySource::manifold);
+    }
 }
 
 void ScreeEngine::add(SimulationBody& body, const MaterialDescription& material) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include <scree/mesh/mass_properties.hpp>
 #include <scree/overlap/overlap.hpp>
@@ -50,6 +51,24 @@ double resting_volume_of(const ConvexPolyhedron& solid, const Shape& shape, doub
     return least;
 }
 
+// Where a round shape can lie down on, in its own frame.
+std::vector<Vec3> directions_of_rest(const Shape& shape) {
+    std::vector<Vec3> directions;
+    if (std::holds_alternative<Sphere>(shape) || std::holds_alternative<Capsule>(shape)) {
+        directions.push_back(Vec3::UnitX());
+    } else if (const auto* frustum = std::get_if<Frustum>(&shape)) {
+        const double slope = 0.5 * (frustum->bottom - frustum->top) / frustum->half_height;
+        directions.push_back(Vec3(1, 0, slope).normalized());
+        if (frustum->bottom > 0) {
+            directions.emplace_back(-Vec3::UnitZ());
+        }
+        if (frustum->top > 0) {
+            directions.push_back(Vec3::UnitZ());
+        }
+    }
+    return directions;
+}
+
 }  // namespace
 
 // Written in θ = arccos ζ as exp(−2ζ θ/sin θ), whose limit at ζ = 1 is e⁻².
@@ -80,10 +99,11 @@ double resting_volume(const Shape& shape, double depth) {
     if (const auto* solid = std::get_if<ConvexPolyhedron>(&shape)) {
         return resting_volume_of(*solid, shape, depth);
     }
-    if (const auto* sphere = std::get_if<Sphere>(&shape)) {
-        return volume_below(shape, {Vec3::UnitZ(), depth - sphere->radius});
+    double least = infinity;
+    for (const Vec3& down : directions_of_rest(shape)) {
+        least = std::min(least, volume_below(shape, {-down, depth - reach_along(shape, down)}));
     }
-    return infinity;
+    return least;
 }
 
 Material automatic_material(const UnnamedBody& body, const BodyShape& shape, double gravity) {

@@ -49,7 +49,8 @@ BodyShape Bodies::translate(const btCollisionObject& object) {
 
 void Bodies::check_motion(const WorldBody& body) {
     if (body.motion == Motion::dynamic && !std::isfinite(body.shape.volume)) {
-        throw std::invalid_argument("a plane cannot belong to a body that forces move");
+        throw std::invalid_argument(
+            "a plane, a mesh of triangles or a height field cannot belong to a body that forces move");
     }
     if (body.rigid != nullptr) {
         check_factors(*body.rigid);
@@ -75,12 +76,17 @@ int Bodies::number(const btCollisionObject& object) const {
     return found == numbers_.end() ? -1 : found->second;
 }
 
+bool Bodies::any_open() const {
+    return std::any_of(bodies_.begin(), bodies_.end(), [](const WorldBody& body) { return body.shape.open; });
+}
+
 void Bodies::follow_shapes() {
     for (WorldBody& body : bodies_) {
         if (body.object != nullptr && body.object->getCollisionShape() != body.bullet_shape) {
             body.shape = translate(*body.object);
             body.bullet_shape = body.object->getCollisionShape();
             body.contacts_end = true;
+            reshaped_.push_back(body.object);
         }
     }
 }

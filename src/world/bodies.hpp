@@ -5,6 +5,7 @@
 #include <memory>
 #include <span>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include <scree/detect/body_shape.hpp>
@@ -71,6 +72,12 @@ class Bodies {
 
     [[nodiscard]] std::span<const WorldBody> all() const { return bodies_; }
 
+    /// Whether one of them is an open surface.
+    [[nodiscard]] bool any_open() const;
+
+    /// Those whose shapes have been replaced, since the last call.
+    std::vector<btCollisionObject*> take_reshaped() { return std::exchange(reshaped_, {}); }
+
   private:
     static void check(const btCollisionObject& object);
     static void check_motion(const WorldBody& body);
@@ -83,6 +90,7 @@ class Bodies {
     ShapeLibrary library_;
     std::vector<WorldBody> bodies_;
     std::unordered_map<const btCollisionObject*, int> numbers_;
+    std::vector<btCollisionObject*> reshaped_;
     bool added_or_removed_ = false;
 };
 

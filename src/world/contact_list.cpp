@@ -18,8 +18,14 @@ bool ContactList::renew(std::span<const PartPair> pairs, const Maker& make) {
         next_.push_back(known ? contacts_[old] : make(pair));
     }
     contacts_.swap(next_);
+    next_.clear();  // what the old ones hold is let go
     pairs_.assign(pairs.begin(), pairs.end());
     return true;
+}
+
+void ContactList::clear() {
+    contacts_.clear();
+    pairs_.clear();
 }
 
 void ContactList::renumber(std::span<const int> new_numbers) {

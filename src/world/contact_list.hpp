@@ -19,6 +19,8 @@ class ContactList {
     /// Returns whether the list has changed.
     bool renew(std::span<const PartPair> pairs, const Maker& make);
 
+    void clear();
+
     /// new_numbers: by a body's old number, ascending where they are kept; −1: its contacts end.
     void renumber(std::span<const int> new_numbers);
 

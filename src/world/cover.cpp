@@ -32,7 +32,8 @@ void Cover::lay(const System& system, std::span<const WorldBody> bodies, double 
         const double radius = bodies[b].shape.radius;
         const double expected = expected_motion(body, state, radius, now, duration);
         const double reach = least_reach * body.radius + (1 + rounding) * expected;
-        searched_.push_back({bodies[b].object, &bodies[b].shape, pose, reach, body.dynamic()});
+        const double skin = margins_ ? bodies[b].shape.skin : 0;
+        searched_.push_back({bodies[b].object, &bodies[b].shape, pose, reach, body.dynamic(), skin});
         regions_.push_back({pose, radius, reach});
     }
 }

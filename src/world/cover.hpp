@@ -19,6 +19,9 @@ class Cover {
     /// Gives those bodies whose demand [m] is above 0 that much room.
     void widen(std::span<const double> demand);
 
+    /// Whether Bullet's margins count as part of the bodies.
+    void set_margins(bool counted) { margins_ = counted; }
+
     /// What the pair search is to use.
     [[nodiscard]] std::span<const SearchBody> bodies() const { return searched_; }
     /// What the groups are to keep to.
@@ -27,6 +30,7 @@ class Cover {
   private:
     std::vector<SearchBody> searched_;
     std::vector<BodyCover> regions_;
+    bool margins_ = false;
 };
 
 }  // namespace scree

@@ -9,7 +9,7 @@ namespace scree {
 DynamicsWorld::DynamicsWorld(btDispatcher* dispatcher, btBroadphaseInterface* pairs,
                              btConstraintSolver* solver, btCollisionConfiguration* configuration)
     : btDiscreteDynamicsWorld(dispatcher, pairs, solver, configuration),
-      implementation_(std::make_unique<WorldImplementation>()) {}
+      implementation_(std::make_unique<WorldImplementation>(*dispatcher)) {}
 
 DynamicsWorld::~DynamicsWorld() = default;
 
@@ -52,6 +52,14 @@ void DynamicsWorld::set_forces(std::unique_ptr<ContactForces> forces) {
 
 void DynamicsWorld::set_contact_law(FrictionLaw friction, const LawOptions& options) {
     implementation_->law().set(friction, options);
+}
+
+void DynamicsWorld::set_contact_geometry(GeometrySource source) {
+    implementation_->set_contact_geometry(source, *this);
+}
+
+void DynamicsWorld::set_manifolds(bool written) {
+    implementation_->manifolds().set_on(written, *this);
 }
 
 const StepReport& DynamicsWorld::step_report() const {
@@ -101,6 +109,7 @@ void DynamicsWorld::internalSingleStepSimulation(btScalar tick) {
     if (!implementation_->run(*this, tick, getGravity().length())) {
         return;
     }
+    implementation_->update_manifolds(*this, tick);
     updateActions(tick);
     if (m_internalTickCallback != nullptr) {
         m_internalTickCallback(this, tick);
@@ -142,8 +151,7 @@ void DynamicsWorld::removeCollisionObject(btCollisionObject* object) {
 }
 
 void DynamicsWorld::forget(const btCollisionObject& object) {
-    implementation_->bodies().remove(object);
-    implementation_->materials().forget(object);
+    implementation_->remove(object);
 }
 
 void DynamicsWorld::updateAabbs() {

@@ -18,6 +18,9 @@ bool WorldImplementation::run(btCollisionWorld& world, double tick, double gravi
     if (!read) {
         return false;
     }
+    for (btCollisionObject* reshaped : bodies_.take_reshaped()) {
+        forget_algorithms(world, *reshaped);
+    }
     const bool stepped = guarded([&] { step_to(world, end); });
     write_bodies(tick);
     take_accounts();
@@ -85,6 +88,7 @@ double WorldImplementation::to_meeting(btCollisionWorld& world, double now, doub
     while (outcome == StepOutcome::left_cover) {
         cover_.widen(demand_);
         find_pairs(world);
+        freeze(world, now);
         deal(now);
         outcome = groups_.advance(meeting, cover_.regions(), demand_);
     }
@@ -98,10 +102,12 @@ double WorldImplementation::to_meeting(btCollisionWorld& world, double now, doub
 }
 
 double WorldImplementation::choose_meeting(btCollisionWorld& world, double now, double end) {
+    cover_.set_margins(manifold_contacts_.all() || bodies_.any_open());
     const double span = plan_.choose(end - now, options_.fixed_step, system_, [&](double duration) {
         cover_.lay(system_, bodies_.all(), now, duration);
         find_pairs(world);
     });
+    freeze(world, now);
     return span == end - now ? end : now + span;
 }
 
@@ -111,6 +117,11 @@ void WorldImplementation::find_pairs(btCollisionWorld& world) {
                 [this](const PartPair& pair) { return make_contact(pair); });
     law_.choose(system_.contacts);
     ++report_.pair_searches;
+}
+
+void WorldImplementation::freeze(btCollisionWorld& world, double now) {
+    const Stopwatch watch(report_.times.detection);
+    manifold_contacts_.freeze(world.getDispatchInfo(), system_, cover_.bodies(), now);
 }
 
 void WorldImplementation::deal(double now) {
@@ -129,16 +140,20 @@ void WorldImplementation::take_accounts() {
     report_.momentum_residual = account_.momentum_residual();
 }
 
-Contact WorldImplementation::make_contact(const PartPair& pair) const {
-    const auto collider = [this](int body, int part) -> Collider {
-        const WorldBody& owner = bodies_.all()[static_cast<std::size_t>(body)];
-        const BodyPart& own = owner.shape.parts[static_cast<std::size_t>(part)];
-        return {body, own.shape.get(), own.local};
-    };
-    return {collider(pair.body_a, pair.part_a),
-            collider(pair.body_b, pair.part_b),
-            constants(pair.body_a, pair.body_b),
-            {}};
+Contact WorldImplementation::make_contact(const PartPair& pair) {
+    const WorldBody& a = bodies_.all()[static_cast<std::size_t>(pair.body_a)];
+    const WorldBody& b = bodies_.all()[static_cast<std::size_t>(pair.body_b)];
+    const BodyPart& part_a = a.shape.parts[static_cast<std::size_t>(pair.part_a)];
+    const BodyPart& part_b = b.shape.parts[static_cast<std::size_t>(pair.part_b)];
+    Contact contact;
+    contact.a = {pair.body_a, part_a.shape.get(), part_a.local};
+    contact.b = {pair.body_b, part_b.shape.get(), part_b.local};
+    contact.pair = constants(pair.body_a, pair.body_b);
+    if (manifold_contacts_.wanted(part_a, part_b)) {
+        contact.geometry =
+            manifold_contacts_.make({a.object, part_a, pair.part_a}, {b.object, part_b, pair.part_b});
+    }
+    return contact;
 }
 
 PairConstants WorldImplementation::constants(int a, int b) const {
@@ -154,6 +169,12 @@ void WorldImplementation::write_bodies(double tick) {
         report_.time = clock_.now();
     }
     bodies_.write(!report_.failed && call_left_ < 0.5 * tick);
+}
+
+void WorldImplementation::update_manifolds(btCollisionWorld& world, double tick) {
+    const Stopwatch watch(report_.times.detection);
+    manifolds_.update(world, bodies_, system_, results(), tick);
+    report_.manifold_pairs = manifolds_.pairs();
 }
 
 std::span<const ContactResult> WorldImplementation::results() const {
@@ -175,6 +196,24 @@ void WorldImplementation::place(btCollisionWorld& world) {
 void WorldImplementation::set_threads(std::size_t threads) {
     workers_ = std::make_unique<Workers>(threads);
     groups_.set_workers(workers_.get());
+}
+
+// All contacts are made anew.
+void WorldImplementation::set_contact_geometry(GeometrySource source, btCollisionWorld& world) {
+    if (manifold_contacts_.all() == (source == GeometrySource::manifold)) {
+        return;
+    }
+    manifold_contacts_.set_all(source == GeometrySource::manifold);
+    manifolds_.clear(world);
+    manifolds_.use_overlaps(!manifold_contacts_.all());
+    list_.clear();
+    options_changed_ = true;
+}
+
+void WorldImplementation::remove(const btCollisionObject& object) {
+    manifold_contacts_.forget(object);
+    bodies_.remove(object);
+    materials_.forget(object);
 }
 
 void WorldImplementation::set_stepping(const SteppingOptions& options) {

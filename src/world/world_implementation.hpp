@@ -5,6 +5,7 @@
 #include <string>
 
 #include <scree/bdf/groups.hpp>
+#include <scree/world/dynamics_world.hpp>
 #include <scree/world/step_report.hpp>
 
 #include "accounts.hpp"
@@ -12,6 +13,8 @@
 #include "contact_list.hpp"
 #include "cover.hpp"
 #include "law_choice.hpp"
+#include "manifold_contacts.hpp"
+#include "manifolds.hpp"
 #include "materials.hpp"
 #include "meeting_plan.hpp"
 #include "tick_clock.hpp"
@@ -21,6 +24,10 @@ namespace scree {
 /// What a DynamicsWorld does in a tick.
 class WorldImplementation {
   public:
+    explicit WorldImplementation(btDispatcher& dispatcher)
+        : manifold_contacts_(dispatcher), manifolds_(&dispatcher, manifold_contacts_) {}
+
+    Manifolds& manifolds() { return manifolds_; }
     Bodies& bodies() { return bodies_; }
     Materials& materials() { return materials_; }
     LawChoice& law() { return law_; }
@@ -30,6 +37,9 @@ class WorldImplementation {
 
     void set_threads(std::size_t threads);
     void set_stepping(const SteppingOptions& options);
+    void set_contact_geometry(GeometrySource source, btCollisionWorld& world);
+    /// Before Bullet's own part.
+    void remove(const btCollisionObject& object);
     void constants_changed() { constants_changed_ = true; }
     [[nodiscard]] Material material(const btRigidBody& body, double gravity) const;
 
@@ -37,6 +47,8 @@ class WorldImplementation {
     void begin_call(double time) { call_left_ = time; }
     /// One tick of `tick` [s] in a gravity [m/s²]. Returns false when it could not be finished.
     bool run(btCollisionWorld& world, double tick, double gravity);
+    /// Brings Bullet's manifolds up to date after a tick of `tick` [s].
+    void update_manifolds(btCollisionWorld& world, double tick);
     /// Tells the broadphase where Bullet has the bodies at present.
     void place(btCollisionWorld& world);
 
@@ -48,9 +60,10 @@ class WorldImplementation {
     double to_meeting(btCollisionWorld& world, double now, double end);
     double choose_meeting(btCollisionWorld& world, double now, double end);
     void find_pairs(btCollisionWorld& world);
+    void freeze(btCollisionWorld& world, double now);
     void deal(double now);
     void take_accounts();
-    [[nodiscard]] Contact make_contact(const PartPair& pair) const;
+    [[nodiscard]] Contact make_contact(const PartPair& pair);
     [[nodiscard]] PairConstants constants(int a, int b) const;
     void write_bodies(double tick);
 
@@ -61,6 +74,8 @@ class WorldImplementation {
     ContactList list_{system_.contacts};
     Cover cover_;
     PairSearch search_;
+    ManifoldContacts manifold_contacts_;
+    Manifolds manifolds_;
     SteppingOptions options_;
     std::unique_ptr<Workers> workers_ = std::make_unique<Workers>(1);
     Groups groups_{system_};

@@ -56,6 +56,58 @@ TEST_CASE("an exact polyhedron, a sphere and a plane are taken as they are") {
     CHECK(std::isinf(plane.volume));
 }
 
+TEST_CASE("capsules, cylinders and cones are solids of revolution along any of Bullet's axes, scaled") {
+    ShapeLibrary library;
+    const btVector3 scale(2, 2, 2);
+    btCapsuleShape capsules[] = {btCapsuleShapeX(0.1, 0.4), btCapsuleShape(0.1, 0.4),
+                                 btCapsuleShapeZ(0.1, 0.4)};
+    btCylinderShapeX along_x(btVector3(0.3, 0.1, 0.1));
+    btCylinderShape along_y(btVector3(0.1, 0.3, 0.1));
+    btCylinderShapeZ along_z(btVector3(0.1, 0.1, 0.3));
+    btCylinderShape* cylinders[] = {&along_x, &along_y, &along_z};
+    btConeShapeX cone_x(0.1, 0.6);
+    btConeShape cone_y(0.1, 0.6);
+    btConeShapeZ cone_z(0.1, 0.6);
+    btConeShape* cones[] = {&cone_x, &cone_y, &cone_z};
+    for (int axis = 0; axis < 3; ++axis) {
+        for (const bool scaled : {false, true}) {
+            const double factor = scaled ? 2 : 1;
+            if (scaled) {
+                capsules[axis].setLocalScaling(scale);
+                cylinders[axis]->setLocalScaling(scale);
+                cones[axis]->setLocalScaling(scale);
+            }
+            const BodyShape pill = library.translate(capsules[axis]);
+            const auto& capsule = std::get<Capsule>(*pill.parts[0].shape);
+            CHECK(capsule.radius == Approx(0.1 * factor));
+            CHECK(capsule.half_length == Approx(0.2 * factor));
+            const double ball = 4.0 / 3 * std::numbers::pi * 1e-3;
+            CHECK(pill.volume == Approx(std::pow(factor, 3) * (ball + std::numbers::pi * 0.01 * 0.4)));
+            CHECK(pill.radius == Approx(0.3 * factor));
+
+            const BodyShape rod = library.translate(*cylinders[axis]);
+            const auto& cylinder = std::get<Frustum>(*rod.parts[0].shape);
+            CHECK(cylinder.bottom == Approx(0.1 * factor));
+            CHECK(cylinder.top == cylinder.bottom);
+            CHECK(cylinder.half_height == Approx(0.3 * factor));
+            CHECK(rod.volume == Approx(std::pow(factor, 3) * std::numbers::pi * 0.01 * 0.6));
+
+            const BodyShape hat = library.translate(*cones[axis]);
+            const auto& cone = std::get<Frustum>(*hat.parts[0].shape);
+            CHECK(cone.top == 0);
+            CHECK(hat.volume == Approx(std::pow(factor, 3) * std::numbers::pi / 3 * 0.01 * 0.6));
+            // The tip is where Bullet has it.
+            const btVector3 up = cones[axis]->localGetSupportingVertexWithoutMargin(
+                btVector3(axis == 0, axis == 1, axis == 2));
+            CHECK((hat.parts[0].local * Vec3(0, 0, cone.half_height) - to_eigen(up)).norm() < 1e-12);
+            for (const BodyShape* shape : {&pill, &rod, &hat}) {
+                CHECK((shape->parts[0].local.orientation * Vec3::UnitZ() - Vec3::Unit(axis)).norm() < 1e-15);
+            }
+        }
+    }
+    CHECK(std::get<Sphere>(*library.translate(btCapsuleShape(0.2, 0)).parts[0].shape).radius == 0.2);
+}
+
 TEST_CASE("compounds give their parts where they are, nested ones too") {
     ShapeLibrary library;
     btBoxShape box(btVector3(0.5, 0.5, 0.5));
@@ -89,8 +141,12 @@ TEST_CASE("equal parts are made once, whatever the Bullet shapes they come from"
 
 TEST_CASE("what has no overlap is refused by name") {
     ShapeLibrary library;
-    CHECK_THROWS_WITH(library.translate(btCapsuleShape(1, 1)), Catch::Contains("Capsule"));
-    CHECK_THROWS_WITH(library.translate(btConeShape(1, 1)), Catch::Contains("Cone"));
+    const btVector3 centre(0, 0, 0);
+    const btScalar one = 1;
+    CHECK_THROWS_WITH(library.translate(btMultiSphereShape(&centre, &one, 1)),
+                      Catch::Contains("MultiSphere"));
+    CHECK_THROWS_WITH(library.translate(btConeShape(1, 0)), Catch::Contains("Cone"));
+    CHECK_THROWS_WITH(library.translate(btCapsuleShape(-1, 1)), Catch::Contains("Capsule"));
     CHECK_THROWS_WITH(library.translate(btEmptyShape()), Catch::Contains("Empty"));
     CHECK_THROWS_AS(library.translate(btCompoundShape()), std::invalid_argument);
     CHECK_THROWS_AS(library.translate(btSphereShape(0)), std::invalid_argument);

@@ -2,6 +2,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <scree/overlap/frozen_points.hpp>
+
 #include <tests/dynamics/residual_error.hpp>
 
 using namespace scree;
@@ -34,6 +36,17 @@ Meeting random_meeting(Random& random, const std::string& kind) {
     if (kind == "sphere, half-space") {
         return {Sphere{radius}, HalfSpace{way, 0}, (radius - depth) * way};
     }
+    if (kind == "cylinder, half-space" || kind == "capsule, half-space") {
+        const Shape rod = kind[1] == 'y' ? Shape(make_frustum(radius, 0.8 * radius, 1.2 * radius))
+                                         : Shape(make_capsule(0.8 * radius, 0.7 * radius));
+        return {rod, HalfSpace{way, 0}, (reach_along(rod, -way) - depth) * way};
+    }
+    if (kind == "cylinder, polyhedron") {
+        const Vec3 across = Vec3(way.x(), way.y(), 0).normalized();
+        const Pose box{Vec3::Zero(), Quat::FromTwoVectors(Vec3::UnitZ(), across)};
+        return {make_frustum(radius, radius, 0.9 * radius), transformed(make_box({0.3, 0.3, 0.2}), box),
+                (0.1 + radius - depth) * across};
+    }
     if (kind == "sphere, sphere") {
         return {Sphere{radius}, Sphere{0.7 * radius}, (1.7 * radius - depth) * way};
     }
@@ -45,6 +58,21 @@ Meeting random_meeting(Random& random, const std::string& kind) {
 
 // What the second body is.
 enum class Second { free, prescribed, conveyor };
+
+// Some points of the first body, deep under planes of the second that lie nearly alike.
+std::shared_ptr<const PairGeometry> random_points(Random& random, const Pose& pose_a, const Pose& pose_b) {
+    std::vector<FrozenPoint> points;
+    const Vec3 up = random.direction();
+    for (int i = 0; i < 3; ++i) {
+        const Vec3 at = pose_a.position - 0.8 * radius * up + 0.3 * radius * random.vector();
+        const Vec3 normal = (up + 0.1 * random.vector()).normalized();
+        points.push_back({pose_a.inverse() * at, pose_b.inverse() * (at + 2 * depth * normal),
+                          pose_b.orientation.conjugate() * normal});
+    }
+    auto geometry = std::make_shared<FrozenPoints>();
+    geometry->freeze(points, depth * depth);
+    return geometry;
+}
 
 // One contact of that kind with random velocities and a random past; empty when it has no force.
 std::optional<StepCase> random_step(Random& random, const std::string& kind, double friction, Second second,
@@ -72,6 +100,12 @@ std::optional<StepCase> random_step(Random& random, const std::string& kind, dou
     }
     Contact& contact = step.add_contact(0, 1);
     contact.pair.cohesion *= contact.pair.elastic * std::pow(depth, 3);
+    if (kind == "frozen points") {
+        const auto pose = [&](std::size_t b) -> Pose {
+            return {step.system.states[b].position, step.system.states[b].orientation};
+        };
+        contact.geometry = random_points(random, pose(0), pose(1));
+    }
     const double force = contact.pair.elastic * std::pow(depth, 3) * friction;
     const double length = contact.pair.length;
     const double stiffness = contact.pair.tangential_stiffness / (length * length) * depth * radius;
@@ -118,7 +152,8 @@ Seen check(const std::string& kind, double friction, Second second, const LawOpt
 }
 
 const std::string kinds[] = {"polyhedron, half-space", "polyhedron, polyhedron", "sphere, half-space",
-                             "sphere, sphere", "sphere, polyhedron"};
+                             "sphere, sphere",         "sphere, polyhedron",     "cylinder, half-space",
+                             "capsule, half-space",    "cylinder, polyhedron",   "frozen points"};
 
 }  // namespace
 

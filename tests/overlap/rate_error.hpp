@@ -2,22 +2,30 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include <tests/support/finite_difference.hpp>
 #include <tests/support/overlaps.hpp>
 
 namespace scree::test {
 
+/// What two placed bodies share, the centroid in world coordinates.
+using Meeting = std::function<ContactGeometry(const Placed&, const Placed&)>;
+
+inline ContactGeometry overlap_of_shapes(const Placed& a, const Placed& b) {
+    return overlap_of(a, b).value();
+}
+
 /// The error of a closed-form rate of one value by a motion ξ of A about the centroid. Steps are shares of
 /// the overlap's `depth` and `width` [m]. Errors are shares of the largest entry or, where all vanish (the
 /// normal of a corner in a face), of `least`: a row with ξ itself stands in for it.
 template <class Value>
 double rate_error(const Placed& a, const Placed& b, const Value& value, const Eigen::MatrixXd& rate,
-                  double depth, double width, double least) {
-    const Vec3 about = overlap_of(a, b).value().centroid;
+                  double depth, double width, double least, const Meeting& meet = overlap_of_shapes) {
+    const Vec3 about = meet(a, b).centroid;
     const auto f = [&](const Eigen::VectorXd& xi) -> Eigen::VectorXd {
         Eigen::VectorXd row(rate.rows() + 1);
-        row << value(overlap_of(moved(a, about, xi), b).value()), least / depth * xi(0);
+        row << value(meet(moved(a, about, xi), b)), least / depth * xi(0);
         return row;
     };
     Eigen::VectorXd scale(6);
@@ -28,11 +36,20 @@ double rate_error(const Placed& a, const Placed& b, const Value& value, const Ei
     return jacobian_error(f, Eigen::VectorXd::Zero(6), with_least, scale);
 }
 
-/// The largest of the errors in V, c, S, ∫ r×n_A dA and n.
-inline double derivative_error(const Placed& a, const Placed& b, double depth, double width) {
-    const ContactGeometry g = overlap_of(a, b).value();
+/// The errors in V, c, S, ∫ r×n_A dA and n.
+struct DerivativeErrors {
+    double volume, centroid, area_vector, area_moment, normal;
+
+    [[nodiscard]] double largest() const {
+        return std::max({volume, centroid, area_vector, area_moment, normal});
+    }
+};
+
+inline DerivativeErrors derivative_errors(const Placed& a, const Placed& b, double depth, double width,
+                                          const Meeting& meet = overlap_of_shapes) {
+    const ContactGeometry g = meet(a, b);
     const auto error_of = [&](const auto& value, const Eigen::MatrixXd& rate, double least) {
-        return rate_error(a, b, value, rate, depth, width, least);
+        return rate_error(a, b, value, rate, depth, width, least, meet);
     };
     Eigen::MatrixXd volume_rate(1, 6), centroid_rate(3, 6);
     volume_rate << g.area_vector.transpose(), g.area_moment().transpose();
@@ -44,10 +61,16 @@ inline double derivative_error(const Placed& a, const Placed& b, double depth, d
     const auto centroid = [](const ContactGeometry& now) { return now.centroid; };
     const auto area_vector = [](const ContactGeometry& now) { return now.area_vector; };
     const auto normal = [](const ContactGeometry& now) { return now.normal; };
-    return std::max({error_of(volume, volume_rate, 0), error_of(centroid, centroid_rate, 0),
-                     error_of(area_vector, g.boundary.topRows<3>(), g.area * depth / width),
-                     error_of(moment, g.boundary.bottomRows<3>(), g.area * depth),
-                     error_of(normal, g.normal_rate, depth / width)});
+    return {error_of(volume, volume_rate, 0), error_of(centroid, centroid_rate, 0),
+            error_of(area_vector, g.boundary.topRows<3>(), g.area * depth / width),
+            error_of(moment, g.boundary.bottomRows<3>(), g.area * depth),
+            error_of(normal, g.normal_rate, depth / width)};
+}
+
+/// The largest of them.
+inline double derivative_error(const Placed& a, const Placed& b, double depth, double width,
+                               const Meeting& meet = overlap_of_shapes) {
+    return derivative_errors(a, b, depth, width, meet).largest();
 }
 
 }  // namespace scree::test

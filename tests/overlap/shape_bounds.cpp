@@ -42,3 +42,33 @@ TEST_CASE("The bounds of a sphere are its radius about its centre", "[overlap]")
     CHECK(box.low == Vec3(0.5, 1.5, 2.5));
     CHECK(box.high == Vec3(1.5, 2.5, 3.5));
 }
+
+TEST_CASE("Round shapes reach as far as their true surfaces", "[overlap]") {
+    Random random(72);
+    const Frustum cone = make_frustum(0.3, 0.1, 0.4);
+    const Capsule capsule = make_capsule(0.2, 0.5);
+    CHECK(bounding_radius(capsule) == Approx(0.7));
+    CHECK(bounding_radius(cone) == Approx(std::hypot(0.3, 0.4)).epsilon(1e-3));
+    for (int i = 0; i < 50; ++i) {
+        const Vec3 way = random.direction();
+        double farthest = -1;
+        for (int j = 0; j < 4000; ++j) {
+            const double angle = j * 0.00157079632679;
+            for (const auto& [radius, height] : {std::pair(0.3, -0.4), std::pair(0.1, 0.4)}) {
+                const Vec3 rim(radius * std::cos(angle), radius * std::sin(angle), height);
+                farthest = std::max(farthest, way.dot(rim));
+            }
+        }
+        CHECK(reach_along(cone, way) == Approx(farthest).epsilon(1e-5));
+        CHECK(reach_along(capsule, way) == Approx(0.2 + 0.5 * std::abs(way.z())));
+        const Pose pose{random.vector(), random.rotation()};
+        const Bounds box = bounds(cone, pose);
+        const Vec3 along = pose.orientation.conjugate() * Vec3::UnitY();
+        CHECK(box.high.y() == Approx(pose.position.y() + reach_along(cone, along)));
+        CHECK(box.low.y() == Approx(pose.position.y() - reach_along(cone, -along)));
+    }
+    const OpenSurface surface{{-1, -2, 0}, {1, 2, 0.5}};
+    CHECK(reach_along(surface, Vec3::UnitX()) == 1);
+    CHECK(bounds(surface, {{0, 0, 1}, Quat::Identity()}).high.z() == 1.5);
+    CHECK(bounding_radius(surface) == Approx(std::sqrt(5.25)));
+}

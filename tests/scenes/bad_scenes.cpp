@@ -1,8 +1,10 @@
 #include <algorithm>
+#include <filesystem>
 
 #include <catch2/catch.hpp>
 
 #include <tests/support/bad_scenes.hpp>
+#include <tests/support/mesh_files.hpp>
 
 #include "small_scene.hpp"
 
@@ -64,4 +66,22 @@ TEST_CASE("Hostile text is refused without harm", "[scenes]") {
     check_refused(refusal(long_key), "found an unknown key");
     const std::string long_string = "{\"gravity\": \"" + std::string(1'000'000, 's') + "\"}";
     check_refused(refusal(long_string), "…, expected a list of 3 numbers");
+}
+
+TEST_CASE("A scene file is read up to a size that no scene needs, and a folder is none", "[scenes]") {
+    const MeshFiles files;
+    const std::filesystem::path file = files.text("large.json", small_scene);
+    const auto refusal_of = [](const std::filesystem::path& path) -> std::string {
+        try {
+            read_scene(path);
+        } catch (const SceneError& error) {
+            return error.what();
+        }
+        return "";
+    };
+    CHECK(refusal_of(file).empty());
+    std::filesystem::resize_file(file, 40 << 20);  // sparse: takes no room
+    check_refused(refusal_of(file), "large.json: found more than 32 MiB, expected a scene");
+    check_refused(refusal_of(files.folder()), "found no file that can be read, expected a scene");
+    check_refused(refusal_of("/dev/zero"), "found more than 32 MiB, expected a scene");
 }

@@ -114,7 +114,7 @@ void add_ply(const MeshFiles& files, Writer& bad) {
     const std::string bytes = contents(files.ply("bytes.ply", cube_mesh(), PlyKind::little_endian));
     const std::string other = contents(files.ply("other.ply", cube_mesh(), PlyKind::big_endian));
     const std::size_t data = bytes.find("end_header\n") + 11;
-    const std::size_t first_face = data + 8 * 12;
+    const std::size_t first_face = data + std::size_t{8} * 12;
     bad.add("index.ply", changed(whole, "\n3 0", "\n3 77"), "found a face with vertex 77");
     bad.add("negative.ply", changed(whole, "\n3 0", "\n3 -1"), "found a face with vertex 4294967295");
     bad.add("huge.ply", changed(whole, "vertex 8", "vertex 4000000000"), "announces vertex 4000000000");

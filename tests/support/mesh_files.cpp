@@ -92,24 +92,24 @@ struct GltfParts {
             }
         }
         std::ostringstream out = exact_stream();
-        out << R"({"bufferView":)" << number << R"(,"componentType":5126,"type":"VEC3","count":)"
+        out << R"({"bufferView":)" << number_ << R"(,"componentType":5126,"type":"VEC3","count":)"
             << mesh.vertices.size() << R"(,"min":)" << list(box.min()) << R"(,"max":)" << list(box.max())
-            << R"(},{"bufferView":)" << number + 1 << R"(,"componentType":5125,"type":"SCALAR","count":)"
+            << R"(},{"bufferView":)" << number_ + 1 << R"(,"componentType":5125,"type":"SCALAR","count":)"
             << 3 * mesh.triangles.size() << "}";
         accessors += comma() + out.str();
         views += comma() + view(start, points) + "," + view(points, bytes.size());
-        meshes += comma() + R"({"primitives":[{"attributes":{"POSITION":)" + std::to_string(number) +
-                  R"(},"indices":)" + std::to_string(number + 1) + "}]}";
-        number += 2;
+        meshes += comma() + R"({"primitives":[{"attributes":{"POSITION":)" + std::to_string(number_) +
+                  R"(},"indices":)" + std::to_string(number_ + 1) + "}]}";
+        number_ += 2;
     }
 
   private:
-    [[nodiscard]] std::string comma() const { return number > 0 ? "," : ""; }
+    [[nodiscard]] std::string comma() const { return number_ > 0 ? "," : ""; }
     static std::string view(std::size_t begin, std::size_t end) {
         return R"({"buffer":0,"byteOffset":)" + std::to_string(begin) + R"(,"byteLength":)" +
                std::to_string(end - begin) + "}";
     }
-    int number = 0;  // of accessors so far
+    int number_ = 0;  // of accessors so far
 };
 
 /// The two chunks of a binary glTF file.

@@ -117,8 +117,8 @@ TEST_CASE("A tall block tips where it would not yet slide", "[incline]") {
     const InclineRun below = run_incline(cube, 42 * degree, 1);
     CHECK(below.turn < 1e-4);
     CHECK(below.creep < 1e-9);
-    const InclineRun above = run_incline(cube, 48 * degree, 2);
-    CHECK(above.turn > 0.5);
+    const InclineRun above = run_incline(cube, 48 * degree, 0.4);
+    CHECK(above.turn > 1);  // later it tumbles on
 }
 
 TEST_CASE("Every mesh, ground, direction, friction and stiffness: the sliding angle",
@@ -148,6 +148,8 @@ TEST_CASE("A random convex hull slides at atan mu", "[.long][incline][long]") {
     incline.mesh = hull.file();
     incline.friction = std::min(1.2, 0.6 * std::tan(tipping_angle(incline)));
     check_angle(incline);
-    check_slip(incline);
     check_rest(incline);
+    // What is let go unsettled rocks before it slides, and where that has led it is known to the tolerance.
+    incline.relative_tolerance = 1e-4;
+    check_slip(incline);
 }

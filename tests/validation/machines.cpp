@@ -200,6 +200,21 @@ TEST_CASE("A turning drum's power is the rate at which it lifts what sticks to i
     CHECK(lost(energy) < 2e-3 * energy.work_applied);
 }
 
+TEST_CASE("A belt under a load that a wall holds does not let it sleep, for it goes on working") {
+    Simulation simulation = simulation_of(
+        {"bodies.0.motion.surface_velocity=[0.5,0,0]", "stepping.sleep=true",
+         "shapes.wall={\"half_space\":{\"normal\":[-1,0,0],\"offset\":-0.05}}",
+         "bodies.2={\"shape\":\"wall\",\"material\":\"ice\",\"motion\":\"fixed\"}",
+         "materials.ice={\"density\":900,\"youngs_modulus\":1e9,\"friction\":0}", "end_time=3"});
+    run(simulation);
+    // μ m g u, all of it lost to friction.
+    const double work = friction * mass * gravity * 0.5 * 3;
+    const EnergyLedger& energy = simulation.report().energy;
+    CHECK(simulation.file_motion(1).velocity.norm() < 1e-6);
+    CHECK(energy.work_applied == Approx(work).epsilon(2e-3));
+    CHECK(energy.lost_friction == Approx(work).epsilon(2e-3));
+}
+
 TEST_CASE("The ledger's residual falls with the tolerance where prescribed bodies do the work") {
     std::vector<double> residuals;
     for (const char* rtol : {"1e-2", "1e-3", "1e-4", "1e-5"}) {

@@ -61,6 +61,7 @@ class Group {
     void shorten_memories();
     void hand_back(System& whole) const;
     bool covered(std::span<const TrialBody> trial);
+    [[nodiscard]] static bool drives(const Body& body, const BodyState& state, double time);
     [[nodiscard]] bool at_rest() const;
 
     std::vector<int> bodies_;

@@ -17,6 +17,7 @@ struct SearchBody {
     Pose pose;
     double reach = 0;      ///< [m], how far any of its points may come before the pairs are found anew
     bool dynamic = false;  ///< forces move it
+    double skin = 0;       ///< [m], how far outside the shape it can be touched
 };
 
 /// Two parts that may come to touch, by the bodies' places in the search and the parts' in the bodies.

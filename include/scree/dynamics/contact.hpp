@@ -1,8 +1,10 @@
 #pragma once
 
+#include <memory>
+
 #include <scree/contact/law.hpp>
 #include <scree/dynamics/body.hpp>
-#include <scree/overlap/shape.hpp>
+#include <scree/overlap/pair_geometry.hpp>
 
 namespace scree {
 
@@ -19,6 +21,7 @@ struct Contact {
     Collider b;
     PairConstants pair;
     ContactHistory history;
+    std::shared_ptr<const PairGeometry> geometry = nullptr;  ///< null: the overlap of the two shapes
 };
 
 /// What a contact does at the present trial, and the derivatives of it when they were asked for.

@@ -32,6 +32,9 @@ struct ContactGeometry {
     /// second part with the reference point held at c.
     Mat6 boundary = Mat6::Zero();
     Mat36 normal_rate = Mat36::Zero();  ///< dn = normal_rate · ξ
+    /// Takes out of a moment of tractions along n what the true surface cannot transmit: a moment about the
+    /// axis of a solid of revolution.
+    Mat3 tilting = Mat3::Identity();
 
     /// ∫ r×n_A dA [m³]: dV = S·u + moment·θ.
     [[nodiscard]] Vec3 area_moment() const {

@@ -17,7 +17,7 @@
 namespace scree {
 
 struct MaterialDescription : Material {
-    bool patch_torsion = false;   ///< friction on points of the patch instead of the limit surface
+    bool patch_torsion = false;  ///< friction on points of the patch instead of the limit surface
 };
 
 /// Replaces those of the mixed constants of two materials that it names.

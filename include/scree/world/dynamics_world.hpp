@@ -15,6 +15,12 @@ namespace scree {
 
 class WorldImplementation;
 
+/// Where contacts get their geometry.
+enum class GeometrySource {
+    overlap,   ///< the volume that the exact shapes share
+    manifold,  ///< Bullet's own points, each a spring of stiffness Y Lc/N
+};
+
 /// A Bullet world whose contacts are forces: Bullet finds the pairs, the overlap of the exact shapes gives
 /// the force, and an implicit, error-controlled method of the BDF family steps the bodies. Construct it where
 /// a btDiscreteDynamicsWorld stood.
@@ -65,6 +71,17 @@ class DynamicsWorld : public btDiscreteDynamicsWorld {
     void set_contact_law(FrictionLaw friction, const LawOptions& options = {});
     /// Null: the built-in law, with the parts that the materials ask for.
     void set_forces(std::unique_ptr<ContactForces> forces);
+
+    /// Where the contacts' geometry comes from: the overlap, if nothing is said. Bullet's manifolds are found
+    /// once a tick and frozen in the bodies until the next; meshes of triangles and height fields, which have
+    /// no overlap, have them in any case. All contacts are made anew.
+    void set_contact_geometry(GeometrySource source);
+
+    /// Whether Bullet's manifolds are brought up to date at the end of every tick, as they are from the
+    /// start: for contact callbacks, for programs that go through the dispatcher's manifolds, and for debug
+    /// drawing. Their points are corners of the patches of the overlap, at most four, and have the impulse
+    /// over a tick of the forces at its end. Without it contacts cost nothing on Bullet's side.
+    void set_manifolds(bool written);
 
     /// What the ticks so far have done, and why the last one stopped if it did. After a failure ticks do
     /// nothing.

@@ -23,9 +23,10 @@ struct StepReport {
     SteppingStatistics steps;
     SteppingStatistics all_steps;  ///< of all groups together: what they cost
     std::size_t pair_searches = 0;
-    std::size_t contacts = 0;       ///< touching now
-    std::size_t most_contacts = 0;  ///< at the end of a tick
-    double largest_overlap = 0;     ///< δ over the smaller body's radius ℓ, over the ends of all ticks
+    std::size_t manifold_pairs = 0;  ///< handed to Bullet's narrowphase to bring manifolds up to date
+    std::size_t contacts = 0;        ///< touching now
+    std::size_t most_contacts = 0;   ///< at the end of a tick
+    double largest_overlap = 0;      ///< δ over the smaller body's radius ℓ, over the ends of all ticks
     EnergyLedger energy;  ///< changes from outside, bodies come and gone among them, are work applied
     Vec3 momentum_residual = Vec3::Zero();  ///< momentum less the impulse received [kg m/s]
     StageTimes times;

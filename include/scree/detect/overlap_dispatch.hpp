@@ -1,0 +1,52 @@
+#pragma once
+
+#include <btBulletCollisionCommon.h>
+
+#include <memory>
+#include <vector>
+
+#include <scree/detect/body_shape.hpp>
+#include <scree/overlap/overlap.hpp>
+
+namespace scree {
+
+/// The overlap of exact shapes in the place of a dispatcher's own algorithms, for all pairs of shapes that
+/// have one: so contact tests, callbacks and manifolds speak of the same contacts as the forces. A manifold
+/// gets the corners of the patch, at most four.
+///
+/// Worlds that share a dispatcher share one of these; the last one to let it go gives the dispatcher its own
+/// algorithms back. Nothing here is shared between dispatchers.
+class OverlapDispatch : public std::enable_shared_from_this<OverlapDispatch> {
+    struct Private {};
+
+  public:
+    static std::shared_ptr<OverlapDispatch> of(btCollisionDispatcher& dispatcher);
+
+    OverlapDispatch(Private /*only of() makes one*/, btCollisionDispatcher& dispatcher);
+    ~OverlapDispatch();
+    OverlapDispatch(const OverlapDispatch&) = delete;
+    OverlapDispatch& operator=(const OverlapDispatch&) = delete;
+
+    /// What the dispatcher had for a pair of shape types before.
+    [[nodiscard]] btCollisionAlgorithmCreateFunc& stock(int type_a, int type_b) const;
+
+    /// What the algorithms share; one thread at a time uses a dispatcher.
+    struct Tools {
+        ShapeLibrary library;
+        OverlapWorkspace workspace;
+        ContactGeometry geometry;
+    };
+    [[nodiscard]] const std::shared_ptr<Tools>& tools() const { return tools_; }
+
+  private:
+    class Creator;
+    struct Place;
+
+    void put(Place place, int type_a, int type_b);
+
+    btCollisionDispatcher& dispatcher_;
+    std::shared_ptr<Tools> tools_ = std::make_shared<Tools>();
+    std::vector<std::unique_ptr<Creator>> creators_;
+};
+
+}  // namespace scree
