@@ -90,7 +90,7 @@ class StepProblem {
     std::vector<BodyStart> starts_;
     std::vector<TrialBody> trial_;
     std::vector<ContactResult> results_;
-    std::vector<ContactState> factorized_states_;
+    std::vector<ContactRegime> factorized_regimes_;
     std::vector<Vec3> force_, torque_;
     std::vector<bool> touched_;  ///< by a contact with a force
     Eigen::VectorXd residual_;
