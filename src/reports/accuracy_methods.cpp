@@ -1,0 +1,89 @@
+#include "accuracy.hpp"
+
+namespace scree {
+
+namespace {
+
+constexpr double steps[] = {2e-2, 5e-3, 1e-3, 2e-4, 5e-5};           // [s], of implicit methods
+constexpr double small_steps[] = {1e-3, 2e-4, 5e-5, 2e-5, 5e-6};     // of explicit ones
+constexpr double tolerances[] = {1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7};
+constexpr double bullet_steps[] = {1.0 / 60, 1.0 / 240, 1e-3, 2e-4};
+constexpr int bullet_iterations[] = {10, 50, 200};
+
+/// Every one of a list, or every other one of it in a quick report.
+template <class Add, class Value, std::size_t count>
+void each(const Value (&values)[count], bool quick, Add&& add) {
+    for (std::size_t i = quick && count > 3 ? 1 : 0; i < count; i += quick ? 2 : 1) {
+        add(values[i]);
+    }
+}
+
+void add_bdf(std::vector<MethodChoice>& methods, bool quick) {
+    for (const int order : quick ? std::vector{1, 2, 3, 5} : std::vector{1, 2, 3, 4, 5}) {
+        each(tolerances, quick, [&](double rtol) { methods.push_back(adaptive_bdf(order, rtol)); });
+        each(steps, quick, [&](double step) { methods.push_back(fixed_bdf(order, step)); });
+    }
+    for (const Solver solver : {Solver::newton, Solver::fixed_point}) {
+        for (const double rtol : {1e-2, 1e-3, 1e-4, 1e-5}) {
+            if (!quick || rtol == 1e-3) {
+                methods.push_back(adaptive_bdf(2, rtol, solver));
+            }
+        }
+        for (const double step : {1e-3, 1e-4, 2e-5}) {
+            if (!quick || step == 1e-4) {
+                methods.push_back(fixed_bdf(2, step, solver));
+            }
+        }
+    }
+}
+
+void add_manifolds(std::vector<MethodChoice>& methods, bool quick) {
+    for (const double rtol : {1e-2, 1e-3, 1e-4, 1e-5}) {
+        if (!quick || rtol == 1e-3) {
+            methods.push_back(on_manifolds(adaptive_bdf(2, rtol)));
+        }
+    }
+    for (const double step : {2e-5, 5e-6}) {
+        if (!quick) {
+            methods.push_back(on_manifolds(explicit_method(SteppingMethod::verlet, step)));
+        }
+    }
+}
+
+void add_explicit(std::vector<MethodChoice>& methods, bool quick) {
+    for (const SteppingMethod kind : {SteppingMethod::symplectic_euler, SteppingMethod::verlet}) {
+        each(small_steps, quick, [&](double step) { methods.push_back(explicit_method(kind, step)); });
+    }
+}
+
+void add_bullet(std::vector<MethodChoice>& methods, bool quick) {
+    for (const int iterations : bullet_iterations) {
+        for (const double step : bullet_steps) {
+            if (quick && step == 1e-3) {
+                continue;
+            }
+            if (!quick || iterations != 200) {
+                methods.push_back(bullet_method(step, iterations));
+            }
+            if (!quick || iterations != 10) {
+                methods.push_back(bullet_at_best(step, iterations));
+            }
+        }
+    }
+}
+
+}  // namespace
+
+std::vector<MethodChoice> accuracy_methods(const Problem& problem, bool quick) {
+    std::vector<MethodChoice> methods;
+    const bool few = quick || problem.chaotic;  // a pile tells no more by more rows
+    add_bdf(methods, few);
+    add_manifolds(methods, few);
+    add_explicit(methods, few);
+    if (!problem.no_bullet) {
+        add_bullet(methods, few);
+    }
+    return methods;
+}
+
+}  // namespace scree

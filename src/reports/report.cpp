@@ -1,0 +1,35 @@
+#include <scree/reports/report.hpp>
+
+#include <algorithm>
+
+#include "about.hpp"
+#include "accuracy.hpp"
+
+namespace scree {
+
+namespace {
+
+void append(std::vector<Case>& all, std::vector<Case> more) {
+    std::move(more.begin(), more.end(), std::back_inserter(all));
+}
+
+}  // namespace
+
+bool make_report(const ReportRequest& request, const ReportProgress& progress) {
+    open_folder(request.out, about_report(request.quick));
+    std::vector<Case> cases;
+    if (request.accuracy) {
+        append(cases, accuracy_cases(request));
+    }
+    std::size_t done = 0;
+    for (const Case& each : cases) {
+        if (!progress(done, cases.size(), each.name)) {
+            return false;
+        }
+        each.run();
+        ++done;
+    }
+    return true;
+}
+
+}  // namespace scree
