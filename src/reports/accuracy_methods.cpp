@@ -23,6 +23,9 @@ void add_bdf(std::vector<MethodChoice>& methods, bool quick) {
         each(tolerances, quick, [&](double rtol) { methods.push_back(adaptive_bdf(order, rtol)); });
         each(steps, quick, [&](double step) { methods.push_back(fixed_bdf(order, step)); });
     }
+}
+
+void add_solvers(std::vector<MethodChoice>& methods, bool quick) {
     for (const Solver solver : {Solver::newton, Solver::fixed_point}) {
         for (const double rtol : {1e-2, 1e-3, 1e-4, 1e-5}) {
             if (!quick || rtol == 1e-3) {
@@ -78,9 +81,14 @@ std::vector<MethodChoice> accuracy_methods(const Problem& problem, bool quick) {
     std::vector<MethodChoice> methods;
     const bool few = quick || problem.chaotic;  // a pile tells no more by more rows
     add_bdf(methods, few);
-    add_manifolds(methods, few);
+    if (!problem.free_flight) {
+        add_solvers(methods, few);
+        add_manifolds(methods, few);
+    }
     add_explicit(methods, few);
-    if (!problem.no_bullet) {
+    if (problem.free_flight) {
+        each(bullet_steps, few, [&](double step) { methods.push_back(bullet_method(step, 10)); });
+    } else if (!problem.no_bullet) {
         add_bullet(methods, few);
     }
     return methods;

@@ -13,7 +13,7 @@ namespace scree {
 struct Budget {
     double seconds = 10;  ///< of one run; looked at after every output time
     /// Processor time of all that one case does, after which it is ended from outside.
-    [[nodiscard]] unsigned limit() const { return static_cast<unsigned>(4 * seconds + 20); }
+    [[nodiscard]] unsigned limit() const { return static_cast<unsigned>(3 * seconds + 5); }
 };
 
 /// A scene run once, and what was seen of it.

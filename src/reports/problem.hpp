@@ -28,6 +28,7 @@ struct Problem {
     bool last_only = false;  ///< the end decides; else every output time does
     bool chaotic = false;    ///< single paths mean nothing: values are those of the whole
     bool no_bullet = false;  ///< what only a soft contact can do
+    bool free_flight = false;  ///< nothing touches
     /// Where the model has no closed form: the first says what comes out, the others how far to trust it. Of a
     /// chaotic problem it is their mean.
     std::vector<MethodChoice> references;

@@ -49,7 +49,7 @@ Problem standing_cubes(const std::string& name, double end_time, double youngs_m
                        const std::vector<double>& masses) {
     Problem problem;
     problem.name = name;
-    SceneDescription& scene = problem.scene = bare_scene(name, end_time, 4);
+    SceneDescription& scene = problem.scene = bare_scene(name, end_time, 20);
     scene.materials["rock"].youngs_modulus = youngs_modulus;
     scene.shapes["cube"] = shipped_mesh("cube", edge);
     add_floor(scene);

@@ -158,6 +158,7 @@ Problem free_top_problem(bool quick) {
     problem.observe = observe;
     problem.rigid = exact;
     problem.model = exact;
+    problem.free_flight = true;
     return problem;
 }
 
