@@ -130,7 +130,7 @@ Row accuracy_row(const Problem& problem, const MethodChoice& method, const Refer
 }
 
 std::vector<Case> accuracy_cases(const ReportRequest& request) {
-    const Budget budget{request.quick ? 1.0 : 10.0};
+    const double seconds = request.quick ? 0.7 : 10;
     const Budget patient{request.quick ? 20.0 : 120.0};
     const auto table = std::make_shared<Table>(accuracy_table(request.out));
     const auto references = std::make_shared<Table>(reference_table(request.out));
@@ -150,6 +150,7 @@ std::vector<Case> accuracy_cases(const ReportRequest& request) {
                                  }});
             }
         }
+        const Budget budget{(problem.chaotic ? 6 : 1) * seconds};
         const std::vector<MethodChoice> methods = accuracy_methods(problem, request.quick);
         for (const MethodChoice& method : methods) {
             if (table->has(row_keys(problem, method))) {

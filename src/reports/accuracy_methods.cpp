@@ -75,21 +75,43 @@ void add_bullet(std::vector<MethodChoice>& methods, bool quick) {
     }
 }
 
+/// A whole tells no more by more rows than these.
+std::vector<MethodChoice> whole_methods(bool quick) {
+    std::vector<MethodChoice> methods;
+    for (const int order : {1, 2, 3, 4, 5}) {
+        methods.push_back(adaptive_bdf(order, 1e-2));
+    }
+    methods.insert(methods.end(), {fixed_bdf(1, 2e-3), fixed_bdf(2, 2e-3), on_manifolds(adaptive_bdf(2, 1e-2)),
+                                   explicit_method(SteppingMethod::symplectic_euler, 1e-4),
+                                   explicit_method(SteppingMethod::verlet, 1e-4), bullet_method(1.0 / 60, 10),
+                                   bullet_method(1.0 / 240, 10), bullet_method(1e-3, 50),
+                                   bullet_at_best(1.0 / 240, 50), bullet_at_best(1e-3, 200)});
+    if (!quick) {
+        methods.insert(methods.end(),
+                       {adaptive_bdf(2, 1e-3), adaptive_bdf(3, 1e-3),
+                        adaptive_bdf(2, 1e-2, Solver::newton), adaptive_bdf(2, 1e-2, Solver::fixed_point),
+                        fixed_bdf(2, 5e-4), explicit_method(SteppingMethod::verlet, 2e-5)});
+    }
+    return methods;
+}
+
 }  // namespace
 
 std::vector<MethodChoice> accuracy_methods(const Problem& problem, bool quick) {
-    std::vector<MethodChoice> methods;
-    const bool few = quick || problem.chaotic;  // a pile tells no more by more rows
-    add_bdf(methods, few);
-    if (!problem.free_flight) {
-        add_solvers(methods, few);
-        add_manifolds(methods, few);
+    if (problem.chaotic) {
+        return whole_methods(quick);
     }
-    add_explicit(methods, few);
+    std::vector<MethodChoice> methods;
+        add_bdf(methods, quick);
+    if (!problem.free_flight) {
+        add_solvers(methods, quick);
+        add_manifolds(methods, quick);
+    }
+    add_explicit(methods, quick);
     if (problem.free_flight) {
-        each(bullet_steps, few, [&](double step) { methods.push_back(bullet_method(step, 10)); });
+        each(bullet_steps, quick, [&](double step) { methods.push_back(bullet_method(step, 10)); });
     } else if (!problem.no_bullet) {
-        add_bullet(methods, few);
+        add_bullet(methods, quick);
     }
     return methods;
 }

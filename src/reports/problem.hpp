@@ -48,7 +48,11 @@ Problem cradle_problem();
 Problem rolling_problem();
 Problem floating_block_problem();
 Problem sliding_disc_problem();
-Problem pile_problem();
+Problem pile_problem(bool quick);
+
+/// Cubes of 0.1 m of these masses [kg] on one another, from below, that start as they rest.
+Problem standing_cubes(const std::string& name, double end_time, double youngs_modulus,
+                       const std::vector<double>& masses);
 
 /// Largest difference of two outcomes, and where.
 struct Difference {

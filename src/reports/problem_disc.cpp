@@ -117,7 +117,7 @@ Problem sliding_disc_problem() {
     problem.quantities = {"way", "drift", "lift", "turn"};
     problem.observe = observe;
     problem.rigid = rigid;
-    problem.references = {adaptive_bdf(2, 1e-8), explicit_method(SteppingMethod::verlet, 2e-7)};
+    problem.references = {adaptive_bdf(2, 1e-8), explicit_method(SteppingMethod::verlet, 1e-6)};
     return problem;
 }
 

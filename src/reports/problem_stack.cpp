@@ -44,7 +44,8 @@ Values standing(const std::vector<double>& middles) {
     return values;
 }
 
-/// A pile of cubes of these masses that starts as it rests.
+}  // namespace
+
 Problem standing_cubes(const std::string& name, double end_time, double youngs_modulus,
                        const std::vector<double>& masses) {
     Problem problem;
@@ -72,8 +73,6 @@ Problem standing_cubes(const std::string& name, double end_time, double youngs_m
     problem.model = [values = standing(middles)](double) { return values; };
     return problem;
 }
-
-}  // namespace
 
 Problem stack_problem(bool quick) {
     Problem problem = standing_cubes("stack", quick ? 2 : 10, 1e11, std::vector<double>(30, 2.6));

@@ -4,6 +4,7 @@
 
 #include "about.hpp"
 #include "accuracy.hpp"
+#include "stability.hpp"
 
 namespace scree {
 
@@ -20,6 +21,10 @@ bool make_report(const ReportRequest& request, const ReportProgress& progress) {
     std::vector<Case> cases;
     if (request.accuracy) {
         append(cases, accuracy_cases(request));
+    }
+    if (request.stability) {
+        append(cases, stability_cases(request));
+        append(cases, stable_step_cases(request));
     }
     std::size_t done = 0;
     for (const Case& each : cases) {
