@@ -61,10 +61,18 @@ if(TARGET scree_reports)
     set(build_facts ${PROJECT_BINARY_DIR}/reports/build_facts.hpp)
     string(TOUPPER "${CMAKE_BUILD_TYPE}" SCREE_UPPER_BUILD_TYPE)
     string(STRIP "${CMAKE_BUILD_TYPE}, ${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${SCREE_UPPER_BUILD_TYPE}}" build_options)
+    set(component_links "")
+    foreach(component IN LISTS SCREE_COMPONENTS)
+        get_target_property(links scree_${component} LINK_LIBRARIES)
+        string(REPLACE "scree_" "scree::" links "${links}")
+        string(REPLACE ";" " " links "${links}")
+        string(APPEND component_links "{\"${component}\", \"${links}\"},")
+    endforeach()
     add_custom_target(scree_build_facts BYPRODUCTS ${build_facts}
         COMMAND ${CMAKE_COMMAND} -DSOURCE=${PROJECT_SOURCE_DIR} -DOUTPUT=${build_facts}
         -DCMAKE_CXX_COMPILER_ID=${CMAKE_CXX_COMPILER_ID} -DCMAKE_CXX_COMPILER_VERSION=${CMAKE_CXX_COMPILER_VERSION}
         "-DSCREE_BUILD_OPTIONS=${build_options}" -DBULLET_VERSION_STRING=${BULLET_VERSION_STRING}
+        "-DSCREE_COMPONENT_LINKS=${component_links}"
         -DEigen3_VERSION=${Eigen3_VERSION} -DQhull_VERSION=${Qhull_VERSION} -Dassimp_VERSION=${assimp_VERSION}
         -P ${PROJECT_SOURCE_DIR}/src/cmake/build_facts.cmake VERBATIM)
     add_dependencies(scree_reports scree_build_facts)

@@ -4,6 +4,7 @@
 
 #include "about.hpp"
 #include "accuracy.hpp"
+#include "cost.hpp"
 #include "stability.hpp"
 
 namespace scree {
@@ -25,6 +26,12 @@ bool make_report(const ReportRequest& request, const ReportProgress& progress) {
     if (request.stability) {
         append(cases, stability_cases(request));
         append(cases, stable_step_cases(request));
+    }
+    if (request.cost) {
+        append(cases, stage_cases(request));
+        append(cases, scaling_cases(request));
+        append(cases, left_out_cases(request));
+        libraries_table(request.out);
     }
     std::size_t done = 0;
     for (const Case& each : cases) {

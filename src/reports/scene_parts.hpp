@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 
 #include <scree/scenes/scene_description.hpp>
@@ -29,5 +30,8 @@ double sunk_depth(double load, double volume, double area, double youngs_modulus
 
 /// A direction in the x–y plane that is along no axis.
 Vec3 odd_direction();
+
+/// Writes points spread over an ellipsoid of half axes 0.5, 0.45 and 0.4 as a mesh whose hull is the stone.
+std::filesystem::path write_round_stone(const std::filesystem::path& folder, int points);
 
 }  // namespace scree
