@@ -103,8 +103,10 @@ void run_once(const SceneDescription& scene, const Running& running, const Budge
         }
     }
     expense.finished = expense.message.empty();
-    expense.seconds = first ? seconds : std::min(seconds, expense.seconds);
-    expense.report = simulation.report();
+    if (first || seconds < expense.seconds) {
+        expense.seconds = seconds;
+        expense.report = simulation.report();
+    }
     expense.bodies = simulation.bodies().size();
     expense.bytes = heap() - before;
     expense.files = tables ? tables->size() : 0;

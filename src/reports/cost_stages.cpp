@@ -57,7 +57,7 @@ std::vector<Case> stage_cases(const ReportRequest& request) {
     }
     for (const Problem& problem : {incline_problem(), stack_problem(request.quick), pile_problem(request.quick)}) {
         for (const MethodChoice& method :
-             {adaptive_bdf(2, 1e-2), adaptive_bdf(2, 1e-4), explicit_method(SteppingMethod::verlet, 2e-5)}) {
+             {adaptive_bdf(2, 1e-2), adaptive_bdf(2, 1e-4), explicit_method(SteppingMethod::verlet, 1e-5)}) {
             if (!table->has({problem.name, method.name(), method.step(), method.rtol()})) {
                 cases.push_back({"stages of " + problem.name + ": " + method.text(), [=] {
                                      const Isolated answer = isolated_row(

@@ -53,7 +53,7 @@ Problem spinning_ball(double spin) {
 /// A cube of 0.1 m flies at a fixed wall of 1 cm: by the law it bounces.
 Problem thin_wall(double speed) {
     Problem problem;
-    SceneDescription& scene = problem.scene = bare_scene("thin wall", 2 / speed, 10);
+    SceneDescription& scene = problem.scene = bare_scene("thin wall", std::max(2 / speed, 0.05), 10);
     scene.gravity.setZero();
     scene.materials["rock"].youngs_modulus = 1e13;
     scene.shapes["cube"] = shipped_mesh("cube", 0.1);

@@ -84,7 +84,7 @@ void add_shapes(std::vector<Extreme>& all, const std::filesystem::path& folder, 
     for (const char* mesh : {"tetrahedron", "icosahedron"}) {
         Settling settling;
         settling.shape = shipped_mesh(mesh, settling.edge);
-        all.push_back({"faces", mesh == std::string("tetrahedron") ? "4" : "20", settling_problem(settling)});
+        all.push_back({"faces", mesh == std::string("tetrahedron") ? "4" : "20", settling_problem(settling), 0.3});
     }
     for (const int points : {100, 2502}) {
         Settling settling;
@@ -92,7 +92,7 @@ void add_shapes(std::vector<Extreme>& all, const std::filesystem::path& folder, 
         stone.file = std::filesystem::absolute(write_round_stone(folder, points));
         stone.scale = Vec3::Constant(settling.edge);
         settling.shape = stone;
-        all.push_back({"faces", std::to_string(2 * points - 4), settling_problem(settling), 5e-2});
+        all.push_back({"faces", std::to_string(2 * points - 4), settling_problem(settling), 0.3});
     }
     for (const double count : {30.0, 100.0}) {
         if (!quick || count < 100) {

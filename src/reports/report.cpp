@@ -5,6 +5,7 @@
 #include "about.hpp"
 #include "accuracy.hpp"
 #include "cost.hpp"
+#include "pages.hpp"
 #include "stability.hpp"
 
 namespace scree {
@@ -18,7 +19,8 @@ void append(std::vector<Case>& all, std::vector<Case> more) {
 }  // namespace
 
 bool make_report(const ReportRequest& request, const ReportProgress& progress) {
-    open_folder(request.out, about_report(request.quick));
+    const std::vector<Row> about = about_report(request.quick);
+    open_folder(request.out, about);
     std::vector<Case> cases;
     if (request.accuracy) {
         append(cases, accuracy_cases(request));
@@ -34,14 +36,17 @@ bool make_report(const ReportRequest& request, const ReportProgress& progress) {
         libraries_table(request.out);
     }
     std::size_t done = 0;
+    bool finished = true;
     for (const Case& each : cases) {
-        if (!progress(done, cases.size(), each.name)) {
-            return false;
+        finished = progress(done, cases.size(), each.name);
+        if (!finished) {
+            break;
         }
         each.run();
         ++done;
     }
-    return true;
+    write_pages(request.out, accuracy_problems(request.quick), about);
+    return finished;
 }
 
 }  // namespace scree

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "reference.hpp"
+#include "scene_parts.hpp"
 
 namespace scree {
 
@@ -46,7 +47,9 @@ Scales scales_of(const Simulation& simulation) {
         const double density = mass / body.solid.volume;
         const double kinetic = 0.5 * mass * motion.velocity.squaredNorm() +
                                0.5 * density * body.solid.inertia.dot(spin.cwiseAbs2());
-        const double fall = simulation.scene().gravity.norm() * size;
+        const double gravity = simulation.scene().gravity.norm();
+        const bool resting = gravity == 0 && motion.velocity.isZero() && motion.angular_velocity.isZero();
+        const double fall = (resting ? earth_gravity : gravity) * size;
         scales.energy += kinetic + mass * fall;
         scales.momentum += mass * (motion.velocity.norm() + std::sqrt(fall));
         scales.start += kinetic - mass * simulation.scene().gravity.dot(motion.pose.position);
@@ -75,7 +78,8 @@ Accounts accounts_of(const Observation& seen, const MethodChoice& method, const 
         return accounts;
     }
     const double start = energy.held() + lost(energy) - energy.work_applied - energy.residual;
-    const double stored = std::max(0.0, start - scales.start);
+    // What is stored at first is known against a half-space alone; else what came of it says how much it was.
+    const double stored = std::max(0.0, start - scales.start) + std::abs(energy.normal_elastic) + lost(energy);
     const double scale = std::max(scales.energy + stored, std::numeric_limits<double>::min());
     accounts.residual = energy.residual / scale;
     accounts.invented = std::max(0.0, energy.residual - lost(energy)) / scale;
@@ -173,8 +177,8 @@ std::vector<MethodChoice> stability_methods(double end_time, bool quick) {
                                          fixed_bdf(2, end_time / 1000),
                                          explicit_method(SteppingMethod::symplectic_euler, fine),
                                          explicit_method(SteppingMethod::verlet, fine),
-                                         bullet_method(std::min(1.0 / 240, end_time / 100), 10),
-                                         bullet_at_best(std::min(1e-3, end_time / 400), 50)};
+                                         bullet_method(std::min(1.0 / 240, end_time / 10), 10),
+                                         bullet_at_best(std::min(1e-3, end_time / 50), 50)};
     return methods;
 }
 

@@ -45,6 +45,14 @@ std::string cell(double value) {
     return digits;
 }
 
+std::string together(std::initializer_list<std::string_view> pieces) {
+    std::string text;
+    for (const std::string_view piece : pieces) {
+        text += piece;
+    }
+    return text;
+}
+
 double number_in(const std::string& cell) {
     double value = 0;
     const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
@@ -87,11 +95,13 @@ Table::Table(std::filesystem::path file, Row columns, const Row& keys)
     for (const std::string& name : keys) {
         keys_.push_back(column(name));
     }
-    if (!read()) {
-        rows_.clear();
-        found_.clear();
+    if (std::filesystem::exists(file_)) {
+        read();
+        write();  // so that half a row at the end of a run that was cut off is gone
     }
-    // Written anew, so that half a row at the end of a run that was cut off is gone.
+}
+
+void Table::write() const {
     std::string text = csv_line(columns_).append("\n");
     for (const Row& row : rows_) {
         text.append(csv_line(row)).append("\n");
@@ -99,22 +109,24 @@ Table::Table(std::filesystem::path file, Row columns, const Row& keys)
     write_whole(file_, text);
 }
 
-bool Table::read() {
+void Table::read() {
     const std::vector<Row> all = csv_rows(text_in(file_));
     if (all.empty() || all.front() != columns_) {
-        return false;
+        return;
     }
     for (std::size_t i = 1; i < all.size(); ++i) {
         if (all[i].size() == columns_.size() && found_.insert(key(all[i])).second) {
             rows_.push_back(all[i]);
         }
     }
-    return true;
 }
 
 void Table::add(const Row& row) {
     if (row.size() != columns_.size()) {
         throw std::logic_error("a row of another table");
+    }
+    if (rows_.empty()) {
+        write();
     }
     std::ofstream stream(file_, std::ios::binary | std::ios::app);
     stream << csv_line(row) << "\n" << std::flush;

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <filesystem>
+#include <initializer_list>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace scree {
@@ -11,6 +13,9 @@ namespace scree {
 std::string cell(double value);
 /// The number in a cell; NaN when there is none.
 double number_in(const std::string& cell);
+
+/// The pieces of a text, one after the other.
+std::string together(std::initializer_list<std::string_view> pieces);
 
 using Row = std::vector<std::string>;
 
@@ -45,7 +50,8 @@ class Table {
 
   private:
     [[nodiscard]] std::string key(const Row& row) const;
-    [[nodiscard]] bool read();
+    void read();
+    void write() const;
 
     std::filesystem::path file_;
     Row columns_;
