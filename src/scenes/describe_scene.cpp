@@ -68,7 +68,9 @@ void add_stepping(const SceneDescription& scene, Lines& lines) {
         line << ", adaptive step";
     }
     if (stepping.method == SteppingMethod::bullet) {
-        line << " at most, " << stepping.iterations << " iterations";
+        line << " at most, " << stepping.iterations << " iterations, "
+             << (stepping.separating_axis ? "separating axes" : "GJK") << ", friction directions "
+             << stepping.friction_directions;
     }
     if (stepping.method == SteppingMethod::bdf) {
         line << ", orders 1 to " << stepping.max_order << ", rtol " << stepping.rtol << ", atol "
