@@ -18,6 +18,15 @@ void add_constants(const SceneDescription& scene, const PairMaterial& pair, Line
     line << "Y " << pair.youngs_modulus << " Pa, friction " << pair.friction << ", damping "
          << pair.normal_damping << " normal, " << pair.tangential_damping << " tangential, Yt/Y "
          << pair.tangential_ratio << ", torsion " << (pair.torsion ? "on" : "off");
+    if (pair.kinetic_friction) {
+        line << ", kinetic friction " << *pair.kinetic_friction;
+    }
+    if (pair.rolling_friction > 0) {
+        line << ", rolling friction " << pair.rolling_friction;
+    }
+    if (pair.cohesion > 0) {
+        line << ", cohesion " << pair.cohesion << " N";
+    }
 }
 
 void add_materials(const SceneDescription& scene, Lines& lines) {
