@@ -120,15 +120,17 @@ class CommandLine {
     }
 
     void add_report() {
-        CLI::App* sub = add("report", "Measure accuracy, stability and cost, and write tables and pages", [this] {
-            report_.quiet = run_.quiet;
-            return report_command(report_);
-        });
+        CLI::App* sub =
+            add("report", "Measure accuracy, stability and cost, and write tables and pages", [this] {
+                report_.quiet = run_.quiet;
+                return report_command(report_);
+            });
         sub->add_option("PART", report_.part, "accuracy, stability, cost or all")
             ->required()
             ->check(CLI::IsMember({"accuracy", "stability", "cost", "all"}));
         sub->add_flag("--quick", report_.quick, "Fewer cases and shorter runs");
-        sub->add_option("--out", report_.out, "The folder to write to (out/report); what it has is gone on with");
+        sub->add_option("--out", report_.out,
+                        "The folder to write to (out/report); what it has is gone on with");
         sub->add_option("--only", report_.only, "Measure this problem, axis or table alone")
             ->allow_extra_args(false)
             ->take_all();

@@ -1,5 +1,5 @@
-// A disc that slides and spins: rigid, with even pressure and Coulomb's law at every point of its base, it stops
-// both at once (Farkas, Bartels, Unger and Wolf, Phys. Rev. Lett. 90, 248302).
+// A disc that slides and spins: rigid, with even pressure and Coulomb's law at every point of its base, it
+// stops both at once (Farkas, Bartels, Unger and Wolf, Phys. Rev. Lett. 90, 248302).
 
 #include <array>
 #include <cmath>
@@ -43,9 +43,9 @@ double disc_moment(double ratio) {
 namespace {
 
 constexpr double friction = 0.5;
-constexpr double radius = 0.1;  // [m]
-constexpr double speed = 0.5;   // [m/s]
-constexpr double first_spin = 8;      // [rad/s]
+constexpr double radius = 0.1;    // [m]
+constexpr double speed = 0.5;     // [m/s]
+constexpr double first_spin = 8;  // [rad/s]
 
 /// Way [m], turn [rad], v [m/s], ω [rad/s].
 using State = std::array<double, 4>;

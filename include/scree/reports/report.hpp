@@ -12,8 +12,8 @@ struct ReportRequest {
     bool accuracy = false;
     bool stability = false;
     bool cost = false;
-    bool quick = false;          ///< fewer cases and shorter runs, within five minutes on two cores
-    std::filesystem::path out;   ///< the folder to write to
+    bool quick = false;             ///< fewer cases and shorter runs, within five minutes on two cores
+    std::filesystem::path out;      ///< the folder to write to
     std::vector<std::string> only;  ///< problems, axes or tables by name; empty: all
 };
 
