@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 
+#include <scree/mesh/saved_state.hpp>
 #include <scree/mesh/vectors.hpp>
 
 namespace scree {
@@ -17,6 +18,10 @@ struct FrictionRecord {
     Vec3 normal = Vec3::UnitZ();  ///< the normal that it belongs to
     double stiffness = 0;         ///< kt [N/m] that it was stored with
 };
+void visit_state(auto& with, StateOf<FrictionRecord> auto& record) {
+    auto& [force, normal, stiffness] = record;
+    with(force, normal, stiffness);
+}
 
 /// What a contact remembers of accepted steps. Only an accepted step changes it.
 struct ContactHistory {
@@ -43,5 +48,10 @@ struct ContactHistory {
         normal_energy = tangential_energy = 0;
     }
 };
+void visit_state(auto& with, StateOf<ContactHistory> auto& history) {
+    auto& [past, age, centre_line, normal_energy, tangential_energy] = history;
+    with(past, centre_line, normal_energy, tangential_energy);
+    with.up_to(past.size(), age);
+}
 
 }  // namespace scree

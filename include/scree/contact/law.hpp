@@ -19,6 +19,8 @@ struct ContactInput {
 };
 
 enum class ContactState { open, stick, slip };
+template <>
+inline constexpr std::uint64_t enumerators<ContactState> = 3;
 
 /// Where the power of a contact goes [W].
 struct ContactPower {
@@ -29,6 +31,10 @@ struct ContactPower {
     double tangential = 0;          ///< into the tangential springs and slip together
     double tangential_damping = 0;  ///< lost
 };
+void visit_state(auto& with, StateOf<ContactPower> auto& power) {
+    auto& [normal_elastic, normal_damping, normal, tangential, tangential_damping] = power;
+    with(normal_elastic, normal_damping, normal, tangential, tangential_damping);
+}
 
 /// What a contact law answers.
 struct ContactForce {
@@ -44,6 +50,11 @@ struct ContactForce {
     Mat39 force_rate = Mat39::Zero();  ///< by the nine unknowns of MotionRates, when asked for
     Mat39 moment_rate = Mat39::Zero();
 };
+void visit_state(auto& with, StateOf<ContactForce> auto& answer) {
+    auto& [force, moment, normal_force, trial, state, power, normal_energy, tangential_energy, lost_direction,
+           force_rate, moment_rate] = answer;
+    with(force, moment, normal_force, trial, state, power, normal_energy, tangential_energy, lost_direction);
+}
 
 /// A law answers for one contact at a time; `law(input, force)` fills `force`, rates included when
 /// input.rates is set.
