@@ -158,7 +158,8 @@ TEST_CASE("Bad usage is refused by one line", "[cli]") {
     check_refused(folder, {"run", scene, "--set"}, "--set");
     check_refused(folder, {"mesh", folder / "none.obj"}, "none.obj");
     check_refused(folder, {"mesh", cube_file, "--scale", "0"}, "scale");
-    check_refused(folder, {"resume", folder / "out"}, "resume: not in this build");
+    check_refused(folder, {"resume"}, "DIR");
+    check_refused(folder, {"resume", folder / "out", "--until", "soon"}, "--until");
     check_refused(folder, {"report", "all", "--quick"}, "report: not in this build");
 }
 
