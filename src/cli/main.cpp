@@ -39,7 +39,7 @@ class CommandLine {
         add_check();
         add_mesh();
         add_list();
-        add_absent("report", "tables of accuracy, stability and cost");
+        add_report();
     }
 
     int run(int count, char** words) {
@@ -154,6 +154,23 @@ class CommandLine {
         add("list", "List the scenes that come with scree", [this] { return list_command(run_.quiet); });
     }
 
+    void add_report() {
+        CLI::App* sub =
+            add("report", "Measure accuracy, stability and cost, and write tables and pages", [this] {
+                report_.quiet = run_.quiet;
+                return report_command(report_);
+            });
+        sub->add_option("PART", report_.part, "accuracy, stability, cost or all")
+            ->required()
+            ->check(CLI::IsMember({"accuracy", "stability", "cost", "all"}));
+        sub->add_flag("--quick", report_.quick, "Fewer cases and shorter runs");
+        sub->add_option("--out", report_.out,
+                        "The folder to write to (out/report); what it has is gone on with");
+        sub->add_option("--only", report_.only, "Measure this problem, axis or table alone")
+            ->allow_extra_args(false)
+            ->take_all();
+    }
+
     void add_absent(const char* name, const char* purpose) {
         add(name, purpose, [name] {
             return report_error(std::string(name) + ": not in this build", exit_bad_input);
@@ -165,6 +182,7 @@ class CommandLine {
     MeshRequest mesh_;
     PictureRequest picture_;
     PageRequest page_;
+    ReportOrder report_;
     std::function<int()> command_;
 };
 

@@ -17,18 +17,8 @@ constexpr std::string_view several = "[]";
 constexpr std::string_view on = "true";
 
 constexpr Absent absent[] = {
-    {"materials.*.torsion", "patch"},
-    {"materials.*.cohesion", any},
-    {"materials.*.rolling_friction", any},
-    {"materials.*.kinetic_friction", any},
-    {"pairs.*.torsion", "patch"},
-    {"pairs.*.cohesion", any},
-    {"pairs.*.rolling_friction", any},
-    {"pairs.*.kinetic_friction", any},
-    {"shapes.*.parts", "decompose"},
-    {"shapes.*.parts", several},
-    {"law.normal", "energy"},
-    {"output.vtk", on},
+    {"materials.*.torsion", "patch"}, {"pairs.*.torsion", "patch"}, {"shapes.*.parts", "decompose"},
+    {"shapes.*.parts", several},      {"law.normal", "energy"},     {"output.vtk", on},
 };
 
 bool matches(const Json& value, std::string_view wanted) {

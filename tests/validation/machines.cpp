@@ -62,7 +62,7 @@ void run(Simulation& simulation) {
 }
 
 double lost(const EnergyLedger& energy) {
-    return energy.lost_friction + energy.lost_normal_damping + energy.lost_tangential_damping;
+    return energy.lost();
 }
 
 }  // namespace
@@ -202,10 +202,13 @@ TEST_CASE("A turning drum's power is the rate at which it lifts what sticks to i
 
 TEST_CASE("A belt under a load that a wall holds does not let it sleep, for it goes on working") {
     Simulation simulation = simulation_of(
-        {"bodies.0.motion.surface_velocity=[0.5,0,0]", "stepping.sleep=true",
-         "shapes.wall={\"half_space\":{\"normal\":[-1,0,0],\"offset\":-0.05}}",
-         "bodies.2={\"shape\":\"wall\",\"material\":\"ice\",\"motion\":\"fixed\"}",
-         "materials.ice={\"density\":900,\"youngs_modulus\":1e9,\"friction\":0}", "end_time=3"});
+        {"shapes.wall={\"half_space\":{\"normal\":[-1,0,0],\"offset\":-0.05}}",
+         "materials.ice={\"density\":900,\"youngs_modulus\":1e9,\"friction\":0}",
+         "bodies=[{\"name\":\"machine\",\"shape\":\"plane\",\"material\":\"rock\",\"motion\":{\"surface_"
+         "velocity\":[0.5,0,0]}},"
+         "{\"name\":\"load\",\"shape\":\"crate\",\"material\":\"rock\",\"position\":[0,0,0.05]},"
+         "{\"shape\":\"wall\",\"material\":\"ice\",\"motion\":\"fixed\"}]",
+         "stepping.sleep=true", "end_time=3"});
     run(simulation);
     // μ m g u, all of it lost to friction.
     const double work = friction * mass * gravity * 0.5 * 3;

@@ -17,10 +17,12 @@ struct FrictionRecord {
     Vec3 force = Vec3::Zero();    ///< [N]
     Vec3 normal = Vec3::UnitZ();  ///< the normal that it belongs to
     double stiffness = 0;         ///< kt [N/m] that it was stored with
+    bool slipping = false;        ///< it was at its limit
+    Vec3 rolling = Vec3::Zero();  ///< the moment against rolling over Lc/2 [N], across the normal
 };
 void visit_state(auto& with, StateOf<FrictionRecord> auto& record) {
-    auto& [force, normal, stiffness] = record;
-    with(force, normal, stiffness);
+    auto& [force, normal, stiffness, slipping, rolling] = record;
+    with(force, normal, stiffness, slipping, rolling);
 }
 
 /// What a contact remembers of accepted steps. Only an accepted step changes it.
@@ -30,6 +32,9 @@ struct ContactHistory {
     bool centre_line = false;                        ///< the normal was the line of centres
     double normal_energy = 0;                        ///< stored [J], where the law has a potential
     double tangential_energy = 0;                    ///< stored [J]
+    double torsional_energy = 0;
+    double rolling_energy = 0;
+    double cohesive_energy = 0;
 
     /// An accepted step in contact.
     void push(const FrictionRecord& record) {
@@ -45,12 +50,14 @@ struct ContactHistory {
     void clear() {
         age = 0;
         centre_line = false;
-        normal_energy = tangential_energy = 0;
+        normal_energy = tangential_energy = torsional_energy = rolling_energy = cohesive_energy = 0;
     }
 };
 void visit_state(auto& with, StateOf<ContactHistory> auto& history) {
-    auto& [past, age, centre_line, normal_energy, tangential_energy] = history;
-    with(past, centre_line, normal_energy, tangential_energy);
+    auto& [past, age, centre_line, normal_energy, tangential_energy, torsional_energy, rolling_energy,
+           cohesive_energy] = history;
+    with(past, centre_line, normal_energy, tangential_energy, torsional_energy, rolling_energy,
+         cohesive_energy);
     with.up_to(past.size(), age);
 }
 
