@@ -5,4 +5,6 @@ find_package(Qhull CONFIG REQUIRED)
 find_package(assimp CONFIG REQUIRED)
 find_package(nlohmann_json 3.11 CONFIG REQUIRED)
 find_package(CLI11 2 CONFIG REQUIRED)
+find_path(XXHASH_INCLUDE_DIR xxhash.h REQUIRED)  # used as headers alone
+mark_as_advanced(XXHASH_INCLUDE_DIR)
 include(scree_bullet)

@@ -2,7 +2,7 @@
 
 scree_root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 scree_libraries=(libbullet-dev libeigen3-dev libassimp-dev zlib1g-dev libqhull-dev nlohmann-json3-dev libcli11-dev
-    catch2)
+    libxxhash-dev catch2)
 
 fail() {
     echo "scree: $*" >&2

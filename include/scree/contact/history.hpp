@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 
+#include <scree/mesh/saved_state.hpp>
 #include <scree/mesh/vectors.hpp>
 
 namespace scree {
@@ -19,6 +20,10 @@ struct FrictionRecord {
     bool slipping = false;        ///< it was at its limit
     Vec3 rolling = Vec3::Zero();  ///< the moment against rolling over Lc/2 [N], across the normal
 };
+void visit_state(auto& with, StateOf<FrictionRecord> auto& record) {
+    auto& [force, normal, stiffness, slipping, rolling] = record;
+    with(force, normal, stiffness, slipping, rolling);
+}
 
 /// What a contact remembers of accepted steps. Only an accepted step changes it.
 struct ContactHistory {
@@ -48,5 +53,12 @@ struct ContactHistory {
         normal_energy = tangential_energy = torsional_energy = rolling_energy = cohesive_energy = 0;
     }
 };
+void visit_state(auto& with, StateOf<ContactHistory> auto& history) {
+    auto& [past, age, centre_line, normal_energy, tangential_energy, torsional_energy, rolling_energy,
+           cohesive_energy] = history;
+    with(past, centre_line, normal_energy, tangential_energy, torsional_energy, rolling_energy,
+         cohesive_energy);
+    with.up_to(past.size(), age);
+}
 
 }  // namespace scree

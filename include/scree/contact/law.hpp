@@ -19,6 +19,8 @@ struct ContactInput {
 };
 
 enum class ContactState { open, stick, slip };
+template <>
+inline constexpr std::uint64_t enumerators<ContactState> = 3;
 
 /// Where the power of a contact goes [W].
 struct ContactPower {
@@ -33,6 +35,12 @@ struct ContactPower {
     double cohesion = 0;            ///< against the pull of cohesion
 };
 
+void visit_state(auto& with, StateOf<ContactPower> auto& power) {
+    auto& [normal_elastic, normal_damping, normal, tangential, tangential_damping, torsion, rolling,
+           cohesion] = power;
+    with(normal_elastic, normal_damping, normal, tangential, tangential_damping, torsion, rolling, cohesion);
+}
+
 /// Which branches of a law its answer came from; its derivative jumps where they change.
 struct ContactRegime {
     ContactState state = ContactState::open;
@@ -40,7 +48,6 @@ struct ContactRegime {
 
     bool operator==(const ContactRegime&) const = default;
 };
-
 /// What a contact law answers.
 struct ContactForce {
     Vec3 force = Vec3::Zero();   ///< [N], on A at the centroid; −force on B
@@ -61,6 +68,13 @@ struct ContactForce {
 
     [[nodiscard]] ContactRegime regime() const { return {state, rolls}; }
 };
+void visit_state(auto& with, StateOf<ContactForce> auto& answer) {
+    auto& [force, moment, normal_force, trial, state, rolls, power, normal_energy, tangential_energy,
+           torsional_energy, rolling_energy, cohesive_energy, lost_direction, force_rate, moment_rate] =
+        answer;
+    with(force, moment, normal_force, trial, state, rolls, power, normal_energy, tangential_energy,
+         torsional_energy, rolling_energy, cohesive_energy, lost_direction);
+}
 
 /// A law answers for one contact at a time; `law(input, force)` fills `force`, rates included when
 /// input.rates is set.

@@ -39,5 +39,11 @@ struct ContactResult {
     double slip_speed = 0;  ///< ‖v_t‖ [m/s]
     bool centre_line = false;
 };
+/// All but the derivatives.
+void visit_state(auto& with, StateOf<ContactResult> auto& result) {
+    auto& [touching, law, moment_a, moment_b, moment_a_rate, moment_b_rate, point, normal, volume, area,
+           depth, slip_speed, centre_line] = result;
+    with(touching, law, moment_a, moment_b, point, normal, volume, area, depth, slip_speed, centre_line);
+}
 
 }  // namespace scree

@@ -81,6 +81,7 @@ struct FillDescription {
 struct SceneDescription {
     std::string name;            ///< of the scene
     std::filesystem::path file;  ///< where it was read; meshes are found beside it
+    std::string text;            ///< JSON that says the same, with what was set from outside; empty: none
     Vec3 gravity{0, 0, -9.81};   ///< [m/s²]
     std::map<std::string, MaterialDescription> materials;
     std::vector<PairDescription> pairs;
