@@ -1,7 +1,7 @@
 # For demos/run and tests/run to source: installs what is missing and builds. Not a program of its own.
 
 scree_root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
-scree_libraries=(libbullet-dev libeigen3-dev libassimp-dev zlib1g-dev libqhull-dev nlohmann-json3-dev libcli11-dev
+scree_libraries=(libbullet-dev libbullet-extras-dev libeigen3-dev libassimp-dev zlib1g-dev libqhull-dev nlohmann-json3-dev libcli11-dev
     catch2)
 
 fail() {
