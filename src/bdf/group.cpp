@@ -135,7 +135,7 @@ void Group::shorten_memories() {
     };
     for (Contact& contact : system_.contacts) {
         if (!led(contact.a) || !led(contact.b)) {
-            contact.history.age = std::min<std::size_t>(contact.history.age, 1);
+            contact.history.shorten();
         }
     }
 }

@@ -3,6 +3,7 @@
 #include <scree/contact/history.hpp>
 #include <scree/contact/material.hpp>
 #include <scree/contact/motion.hpp>
+#include <scree/overlap/depth_potential.hpp>
 
 namespace scree {
 
@@ -15,7 +16,9 @@ struct ContactInput {
     const ContactHistory& history;
     const FrictionStep& step;
     const PairArms& arms;
-    const MotionRates* rates = nullptr;  ///< set when derivatives are wanted
+    const MotionRates* rates = nullptr;         ///< set when derivatives are wanted
+    const PatchCells* cells = nullptr;          ///< of the patch, for a law that asks for them
+    const DepthPotential* potential = nullptr;  ///< likewise
 };
 
 enum class ContactState { open, stick, slip };
@@ -45,6 +48,7 @@ void visit_state(auto& with, StateOf<ContactPower> auto& power) {
 struct ContactRegime {
     ContactState state = ContactState::open;
     bool rolls = false;
+    std::bitset<PatchCells::count> slipping;
 
     bool operator==(const ContactRegime&) const = default;
 };
@@ -54,8 +58,10 @@ struct ContactForce {
     Vec3 moment = Vec3::Zero();  ///< [N m], on A about the centroid; −moment on B
     double normal_force = 0;     ///< fn [N], along the normal; below 0 where cohesion pulls
     FrictionRecord trial;        ///< what the history becomes if the step is accepted
-    ContactState state = ContactState::open;
-    bool rolls = false;  ///< the rolling resistance is at its limit
+    /// What becomes history of the patch's cells; empty or one.
+    std::vector<PatchRecord> cells;
+    ContactState state = ContactState::open;  ///< slip: all cells of a patch are at their limit
+    bool rolls = false;                       ///< the rolling resistance is at its limit
     ContactPower power;
     double normal_energy = 0;          ///< stored [J], where the law has a potential
     double tangential_energy = 0;      ///< stored [J]
@@ -66,7 +72,16 @@ struct ContactForce {
     Mat39 force_rate = Mat39::Zero();  ///< by the nine unknowns of MotionRates, when asked for
     Mat39 moment_rate = Mat39::Zero();
 
-    [[nodiscard]] ContactRegime regime() const { return {state, rolls}; }
+    [[nodiscard]] ContactRegime regime() const {
+        return {state, rolls, cells.empty() ? std::bitset<PatchCells::count>() : cells.front().slipping};
+    }
+    /// As made, but for memory that is kept for the next use.
+    void reset() {
+        cells.clear();
+        std::vector<PatchRecord> kept = std::move(cells);
+        *this = ContactForce{};
+        cells = std::move(kept);
+    }
 };
 void visit_state(auto& with, StateOf<ContactForce> auto& answer) {
     auto& [force, moment, normal_force, trial, state, rolls, power, normal_energy, tangential_energy,

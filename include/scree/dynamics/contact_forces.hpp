@@ -27,6 +27,8 @@ struct ContactWorkspace {
     OverlapWorkspace overlap;
     ContactGeometry geometry;
     MotionRates rates;
+    PatchCells cells;
+    DepthPotential potential;
 };
 /// That of the calling thread.
 ContactWorkspace& contact_workspace();
@@ -34,6 +36,14 @@ ContactWorkspace& contact_workspace();
 /// Where the overlap is, and how the bodies move there. Returns false when they do not overlap.
 bool locate(const Contact& contact, const TrialBody& a, const TrialBody& b, Detail detail,
             OverlapWorkspace& workspace, ContactGeometry& geometry, PairArms& arms);
+
+/// The cells of the patch that was located last; null where it has none.
+const PatchCells* locate_cells(const Contact& contact, const TrialBody& a, const FrictionStep& step,
+                               bool co_rotation, ContactWorkspace& workspace);
+
+/// The potential of the overlap that was located last; null for one that is not of two polyhedra.
+const DepthPotential* locate_potential(const Contact& contact, const TrialBody& a, Detail detail,
+                                       ContactWorkspace& workspace);
 
 /// Copies what reports and the assembly need out of a contact's evaluation.
 void settle(const ContactGeometry& geometry, const RelativeMotion& motion, const TrialBody& a,
@@ -78,7 +88,20 @@ class ForcesOf final : public ContactForces {
         }
         const FrictionStep step{formulas.friction(contact.history.age), a.turns, b.turns,
                                 formulas.friction_cap};
-        law_({geometry, motion, contact.pair, contact.history, step, arms, rates}, result.law);
+        const PatchCells* cells = nullptr;
+        if constexpr (requires { law_.wants_cells(contact.pair); }) {
+            if (law_.wants_cells(contact.pair)) {
+                cells = locate_cells(contact, a, step, law_.options.co_rotation, workspace);
+            }
+        }
+        const DepthPotential* potential = nullptr;
+        if constexpr (requires { law_.wants_potential(); }) {
+            if (law_.wants_potential()) {
+                potential = locate_potential(contact, a, detail, workspace);
+            }
+        }
+        law_({geometry, motion, contact.pair, contact.history, step, arms, rates, cells, potential},
+             result.law);
         settle(geometry, motion, a, arms, rates, result);
     }
 

@@ -16,9 +16,7 @@
 
 namespace scree {
 
-struct MaterialDescription : Material {
-    bool patch_torsion = false;  ///< friction on points of the patch instead of the limit surface
-};
+using MaterialDescription = Material;
 
 /// Replaces those of the mixed constants of two materials that it names.
 struct PairDescription {
@@ -26,7 +24,7 @@ struct PairDescription {
     std::optional<double> youngs_modulus;  ///< [Pa]
     std::optional<double> friction, normal_damping, tangential_damping, tangential_ratio;
     std::optional<bool> torsion;
-    bool patch_torsion = false;
+    bool patch_friction = false;  ///< where torsion is named
     std::optional<double> cohesion, rolling_friction, kinetic_friction;
 };
 
@@ -34,6 +32,7 @@ enum class Parts {
     hull,       ///< the mesh's convex hull
     decompose,  ///< convex pieces that together come near the mesh
     files,      ///< one convex part a file
+    surface,    ///< the surface itself, as ground of any shape
 };
 
 struct MeshShape {
