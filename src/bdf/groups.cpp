@@ -60,9 +60,12 @@ void Groups::deal(double time) {
         groups_.push_back(group_for(part, time));
     }
     previous_.clear();
+    group_of_.assign(whole_.bodies.size(), -1);
     for (std::size_t g = 0; g < groups_.size(); ++g) {
         for (const int body : groups_[g]->bodies()) {
-            group_of_[at(body)] = whole_.bodies[at(body)].dynamic() ? static_cast<int>(g) : -1;
+            if (whole_.bodies[at(body)].dynamic()) {
+                group_of_[at(body)] = static_cast<int>(g);
+            }
         }
     }
     for (const int body : restarts_) {
@@ -287,6 +290,11 @@ void Groups::move_prescribed(double end) {
             advance_prescribed(end - met_, state);
         }
     }
+}
+
+bool Groups::asleep(int body) const {
+    const auto number = at(body);
+    return number < group_of_.size() && group_of_[number] >= 0 && groups_[at(group_of_[number])]->asleep();
 }
 
 const Group* Groups::failed() const {

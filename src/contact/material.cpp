@@ -48,6 +48,7 @@ PairConstants pair_constants(const PairMaterial& material, const BodySize& a, co
     pair.tangential_damping = material.tangential_damping * std::sqrt(tangential * mass * length);
     pair.friction = material.friction;
     pair.torsion = material.torsion;
+    pair.even_damping = material.even_damping;
     pair.inverse_inertia_a = a.inertia.cwiseInverse();
     pair.inverse_inertia_b = b.inertia.cwiseInverse();
     return pair;

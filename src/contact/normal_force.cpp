@@ -16,7 +16,7 @@ struct DampingConstant {
 
 DampingConstant damping_constant(const ContactInput& in, NormalDamping kind) {
     DampingConstant damping{in.pair.normal_damping};
-    if (kind == NormalDamping::length) {
+    if (kind == NormalDamping::length && !in.pair.even_damping) {
         return damping;
     }
     // Where S vanishes the overlap's own size stands for it.
@@ -73,7 +73,7 @@ bool add_normal_force(const ContactInput& in, const LawOptions& options, Contact
     out.force += fn * g.normal;
     if (in.rates != nullptr) {
         normal_force_rate = in.pair.elastic * in.rates->volume + damping.value * in.rates->volume_rate;
-        if (options.normal_damping != NormalDamping::length) {
+        if (options.normal_damping != NormalDamping::length || in.pair.even_damping) {
             normal_force_rate += damped * damping.growth;
         }
         out.force_rate.noalias() += g.normal * normal_force_rate;

@@ -7,6 +7,11 @@ ContactWorkspace& contact_workspace() {
     return workspace;
 }
 
+ContactWorkspace& second_contact_workspace() {
+    thread_local ContactWorkspace workspace;
+    return workspace;
+}
+
 bool locate(const Contact& contact, const TrialBody& a, const TrialBody& b, Detail detail,
             OverlapWorkspace& workspace, ContactGeometry& geometry, PairArms& arms) {
     const Pose pose_a = a.pose * contact.a.local;
@@ -24,6 +29,13 @@ bool locate(const Contact& contact, const TrialBody& a, const TrialBody& b, Deta
     arms.frame_a = a.pose.orientation;
     arms.frame_b = b.pose.orientation;
     return true;
+}
+
+void account_as_lost(const ContactGeometry& geometry, const RelativeMotion& motion, ContactForce& law) {
+    const double normal = law.force.dot(geometry.normal) * geometry.normal.dot(motion.velocity);
+    law.power = {};
+    law.power.normal = -normal;
+    law.power.tangential = normal - law.force.dot(motion.velocity) - law.moment.dot(motion.spin);
 }
 
 void settle(const ContactGeometry& geometry, const RelativeMotion& motion, const TrialBody& a,

@@ -10,12 +10,19 @@ std::size_t at(int i) {
     return static_cast<std::size_t>(i);
 }
 
-// d(p, L)/d(v, ω).
-Mat6 inertia_block(const Body& body, const TrialBody& trial) {
-    Mat6 block = Mat6::Zero();
-    block.topLeftCorner<3, 3>() = body.mass * Mat3::Identity();
-    block.bottomRightCorner<3, 3>() = turning_inertia(body, trial);
-    return block;
+// dL/dω: L = I(q) ω, and I turns with q.
+Mat3 turning_inertia(const Body& body, const TrialBody& trial) {
+    const Mat3 inertia = world_inertia(body, trial.pose.orientation);
+    return inertia +
+           (inertia * cross_matrix(trial.spin) - cross_matrix(inertia * trial.spin)) * trial.turn_rate;
+}
+
+// Of the equations of a body that a contact has part in, only what gets through its restraint.
+void restrain(const Body& body, Mat6& block) {
+    if (body.restraint != nullptr) {
+        block.topRows<3>() = body.restraint->along.asDiagonal() * block.topRows<3>();
+        block.bottomRows<3>() = body.restraint->around.asDiagonal() * block.bottomRows<3>();
+    }
 }
 
 Mat6 stacked(const Mat39& force, const Mat39& moment, int column) {
@@ -27,11 +34,25 @@ Mat6 stacked(const Mat39& force, const Mat39& moment, int column) {
 
 }  // namespace
 
-// L = I(q) ω, and I turns with q.
-Mat3 turning_inertia(const Body& body, const TrialBody& trial) {
-    const Mat3 inertia = world_inertia(body, trial.pose.orientation);
-    return inertia +
-           (inertia * cross_matrix(trial.spin) - cross_matrix(inertia * trial.spin)) * trial.turn_rate;
+double held_inertia(const Body& body) {
+    return body.inertia.mean();
+}
+
+Mat6 inertia_block(const Body& body, const TrialBody& trial, double beta_h) {
+    Mat6 block = Mat6::Zero();
+    block.topLeftCorner<3, 3>() = body.mass * Mat3::Identity();
+    block.bottomRightCorner<3, 3>() = turning_inertia(body, trial);
+    if (const Restraint* restraint = body.restraint) {
+        block.topRows<3>() *= 1 + beta_h * restraint->slowing;
+        block.bottomRows<3>() *= 1 + beta_h * restraint->turning_down;
+        for (int axis = 0; axis < 3; ++axis) {
+            if (restraint->held(axis)) {
+                block.row(3 + axis).setZero();
+                block(3 + axis, 3 + axis) = held_inertia(body);
+            }
+        }
+    }
+    return block;
 }
 
 void Jacobian::assemble(std::span<const Body> bodies, std::span<const TrialBody> trial,
@@ -46,7 +67,7 @@ void Jacobian::assemble(std::span<const Body> bodies, std::span<const TrialBody>
     diagonal_.resize(bodies.size());
     for (std::size_t b = 0; b < bodies.size(); ++b) {
         if (bodies[b].dynamic()) {
-            diagonal_[b] = inertia_block(bodies[b], trial[b]);
+            diagonal_[b] = inertia_block(bodies[b], trial[b], beta_h);
         }
     }
     for (std::size_t i = 0; i < contacts.size(); ++i) {
@@ -67,11 +88,14 @@ void Jacobian::add_contact(const Contact& contact, const ContactResult& result, 
     const Mat39 moment_b = -beta_h * result.moment_b_rate;
     const bool both = bodies[at(a)].dynamic() && bodies[at(b)].dynamic();
     if (bodies[at(a)].dynamic()) {
-        diagonal_[at(a)] += stacked(force, moment_a, 3);
+        Mat6 block = stacked(force, moment_a, 3);
+        restrain(bodies[at(a)], block);
+        diagonal_[at(a)] += block;
     }
     if (bodies[at(b)].dynamic()) {
         Mat6 block = stacked(-force, moment_b, 6);
         block.leftCols<3>() *= -1;
+        restrain(bodies[at(b)], block);
         diagonal_[at(b)] += block;
     }
     if (!both) {
@@ -80,10 +104,13 @@ void Jacobian::add_contact(const Contact& contact, const ContactResult& result, 
     auto& held = held_[at(islands_.island_of(a))];
     Mat6 a_by_b = stacked(force, moment_a, 6);
     a_by_b.leftCols<3>() *= -1;
+    restrain(bodies[at(a)], a_by_b);
+    Mat6 b_by_a = stacked(-force, moment_b, 3);
+    restrain(bodies[at(b)], b_by_a);
     held.push_back(blocks_.size());
     blocks_.push_back({a, b, a_by_b});
     held.push_back(blocks_.size());
-    blocks_.push_back({b, a, stacked(-force, moment_b, 3)});
+    blocks_.push_back({b, a, b_by_a});
 }
 
 bool Jacobian::factorize() {

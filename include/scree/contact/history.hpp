@@ -1,7 +1,10 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <span>
+#include <vector>
 
 #include <scree/mesh/vectors.hpp>
 
@@ -25,6 +28,9 @@ struct ContactHistory {
     bool centre_line = false;                        ///< the normal was the line of centres
     double normal_energy = 0;                        ///< stored [J], where the law has a potential
     double tangential_energy = 0;                    ///< stored [J]
+    /// What a law with a history of its own keeps beside `past`: as many records of plain numbers, the latest
+    /// first; empty for all other laws.
+    std::vector<double> own;
 
     /// An accepted step in contact.
     void push(const FrictionRecord& record) {
@@ -35,6 +41,12 @@ struct ContactHistory {
         if (age < past.size()) {
             ++age;
         }
+    }
+    /// The law's own record of the step; all are of one length.
+    void push_own(std::span<const double> record) {
+        own.resize(past.size() * record.size());
+        std::copy_backward(own.begin(), own.end() - static_cast<std::ptrdiff_t>(record.size()), own.end());
+        std::copy(record.begin(), record.end(), own.begin());
     }
     /// An accepted step without force.
     void clear() {

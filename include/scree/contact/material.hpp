@@ -15,6 +15,8 @@ struct Material {
     double tangential_damping = 0.5;      ///< γt
     double tangential_ratio = 2.0 / 7.0;  ///< Yt/Y
     bool torsion = true;                  ///< resist spin about the contact normal
+
+    bool operator==(const Material&) const = default;
 };
 
 /// What a pair of materials is made of; the same fields, without the density.
@@ -25,6 +27,7 @@ struct PairMaterial {
     double tangential_damping = 0.5;
     double tangential_ratio = 2.0 / 7.0;
     bool torsion = true;
+    bool even_damping = false;  ///< NormalDamping::patch, whatever the law's options say
 };
 
 /// The mixing rules: harmonic mean of Y, the smaller μ, means of the dampings and of Yt/Y, torsion if both
@@ -51,6 +54,8 @@ struct PairConstants {
     double tangential_damping = 0;    ///< γt √(Yt M_red Lc) [N s/m], Eq. (5.21)
     double friction = 0;              ///< μ
     bool torsion = true;
+    bool even_damping = false;  ///< the normal damping is that of NormalDamping::patch
+    int law = 0;                            ///< which of a world's laws; 0: the one for all pairs
     Vec3 inverse_inertia_a = Vec3::Zero();  ///< about A's principal axes [1/(kg m²)]
     Vec3 inverse_inertia_b = Vec3::Zero();
 };

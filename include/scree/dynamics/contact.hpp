@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include <scree/contact/law.hpp>
 #include <scree/dynamics/body.hpp>
@@ -38,6 +39,7 @@ struct ContactResult {
     double depth = 0;       ///< δ [m]
     double slip_speed = 0;  ///< ‖v_t‖ [m/s]
     bool centre_line = false;
+    std::vector<double> own;  ///< the trial record of a law with a history of its own
 };
 
 }  // namespace scree

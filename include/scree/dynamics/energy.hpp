@@ -10,7 +10,7 @@ struct Accumulated {
     double normal = 0;              ///< into normal elasticity and damping
     double tangential = 0;          ///< into tangential springs and slip
     double tangential_damping = 0;  ///< lost
-    double applied = 0;             ///< by applied forces and prescribed bodies
+    double applied = 0;             ///< by applied forces, restraints and prescribed bodies
 
     Accumulated& add(double factor, const Accumulated& other);
 };

@@ -11,8 +11,13 @@
 
 namespace scree {
 
-/// dL/dω [kg m²] of a body at a trial step, whose inertia tensor turns with it.
-Mat3 turning_inertia(const Body& body, const TrialBody& trial);
+/// What stands for a restraint's held spin in the equations of a step: a moment of inertia [kg m²] of the
+/// body's size.
+double held_inertia(const Body& body);
+
+/// The part of the equations' derivative by (v, ω) that is not the contacts': d(p, L)/d(v, ω), the inertia
+/// tensor turning with the body, and what its restraint does.
+Mat6 inertia_block(const Body& body, const TrialBody& trial, double beta_h);
 
 /// The matrix of Newton's method, d(residual)/d(velocities), in 6×6 blocks (v, ω) per dynamic body, kept and
 /// factorised island by island: dense for a few bodies, sparse above.

@@ -16,6 +16,7 @@
 
 namespace scree {
 
+/// A material as a scene file has it.
 struct MaterialDescription : Material {
     bool patch_torsion = false;              ///< friction on points of the patch instead of the limit surface
     double cohesion = 0;                     ///< pull-off force [N]
@@ -39,6 +40,7 @@ enum class Parts {
     files,      ///< one convex part a file
 };
 
+/// A shape from a mesh file.
 struct MeshShape {
     std::filesystem::path file;  ///< relative to the scene's file
     Vec3 scale = Vec3::Ones();
@@ -46,6 +48,7 @@ struct MeshShape {
     std::vector<std::filesystem::path> part_files;
 };
 
+/// A box about its centre.
 struct BoxShape {
     Vec3 edges = Vec3::Zero();  ///< [m], full lengths
 };
