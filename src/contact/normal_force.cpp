@@ -16,7 +16,7 @@ struct DampingConstant {
 
 DampingConstant damping_constant(const ContactInput& in, NormalDamping kind) {
     DampingConstant damping{in.pair.normal_damping};
-    if (kind == NormalDamping::length) {
+    if (kind == NormalDamping::length && !in.pair.even_damping) {
         return damping;
     }
     // Where S vanishes the overlap's own size stands for it.
@@ -133,7 +133,7 @@ bool press(const ContactInput& in, const LawOptions& options, ContactForce& out,
     out.moment += elastic.moment;
     if (in.rates != nullptr) {
         Row9 damped_rate = damping.value * in.rates->volume_rate;
-        if (options.normal_damping != NormalDamping::length) {
+        if (options.normal_damping != NormalDamping::length || in.pair.even_damping) {
             damped_rate += damped * damping.growth;
         }
         pressing.rate = elastic.along_rate + damped_rate;

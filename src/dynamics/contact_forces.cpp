@@ -7,6 +7,11 @@ ContactWorkspace& contact_workspace() {
     return workspace;
 }
 
+ContactWorkspace& second_contact_workspace() {
+    thread_local ContactWorkspace workspace;
+    return workspace;
+}
+
 bool locate(const Contact& contact, const TrialBody& a, const TrialBody& b, Detail detail,
             OverlapWorkspace& workspace, ContactGeometry& geometry, PairArms& arms) {
     const Pose pose_a = a.pose * contact.a.local;
@@ -30,7 +35,8 @@ const PatchCells* locate_cells(const Contact& contact, const TrialBody& a, const
                                bool co_rotation, ContactWorkspace& workspace) {
     const ContactGeometry& g = workspace.geometry;
     PatchCells& cells = workspace.cells;
-    cells.axis = patch_axis(contact.history, g.normal, g.normal.unitOrthogonal(), step, co_rotation, nullptr).axis;
+    cells.axis =
+        patch_axis(contact.history, g.normal, g.normal.unitOrthogonal(), step, co_rotation, nullptr).axis;
     return cut_into_cells(g, a.pose * contact.a.local, workspace.overlap, cells) ? &cells : nullptr;
 }
 
@@ -43,6 +49,13 @@ const DepthPotential* locate_potential(const Contact& contact, const TrialBody& 
     depth_potential(*solid, a.pose * contact.a.local, workspace.geometry, detail, workspace.overlap,
                     workspace.potential);
     return &workspace.potential;
+}
+
+void account_as_lost(const ContactGeometry& geometry, const RelativeMotion& motion, ContactForce& law) {
+    const double normal = law.force.dot(geometry.normal) * geometry.normal.dot(motion.velocity);
+    law.power = {};
+    law.power.normal = -normal;
+    law.power.tangential = normal - law.force.dot(motion.velocity) - law.moment.dot(motion.spin);
 }
 
 void settle(const ContactGeometry& geometry, const RelativeMotion& motion, const TrialBody& a,

@@ -204,8 +204,13 @@ TEST_CASE("Ctrl-C leaves what there is and ends with status 130", "[cli]") {
 TEST_CASE("Help, version, list and check exit 0", "[cli]") {
     const Folder folder;
     const std::string scene = folder.write("small.json", small_scene);
-    for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
-             {"--help"}, {"--version"}, {"report", "--help"}, {"run", "--help"}, {"mesh", "--help"}, {"list"}, {"check", scene}}) {
+    for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{{"--help"},
+                                                                                       {"--version"},
+                                                                                       {"report", "--help"},
+                                                                                       {"run", "--help"},
+                                                                                       {"mesh", "--help"},
+                                                                                       {"list"},
+                                                                                       {"check", scene}}) {
         const Child child(folder, words);
         CHECK(child.wait() == 0);
         CHECK_FALSE(child.output().empty());

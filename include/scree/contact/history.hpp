@@ -40,6 +40,9 @@ struct ContactHistory {
     double torsional_energy = 0;
     double rolling_energy = 0;
     double cohesive_energy = 0;
+    /// What a law with a history of its own keeps beside `past`: as many records of plain numbers, the latest
+    /// first; empty for all other laws.
+    std::vector<double> own;
 
     /// An accepted step in contact; without cells: those that were there are forgotten.
     void push(const FrictionRecord& record, std::span<const PatchRecord> cells = {}) {
@@ -54,6 +57,12 @@ struct ContactHistory {
         if (!cells.empty()) {
             push_patch(cells.front());
         }
+    }
+    /// The law's own record of the step; all are of one length.
+    void push_own(std::span<const double> record) {
+        own.resize(past.size() * record.size());
+        std::copy_backward(own.begin(), own.end() - static_cast<std::ptrdiff_t>(record.size()), own.end());
+        std::copy(record.begin(), record.end(), own.begin());
     }
     /// An accepted step without force.
     void clear() {
@@ -76,9 +85,9 @@ struct ContactHistory {
 };
 void visit_state(auto& with, StateOf<ContactHistory> auto& history) {
     auto& [past, age, patch, patch_age, centre_line, normal_energy, tangential_energy, torsional_energy,
-           rolling_energy, cohesive_energy] = history;
+           rolling_energy, cohesive_energy, own] = history;
     with(past, patch, centre_line, normal_energy, tangential_energy, torsional_energy, rolling_energy,
-         cohesive_energy);
+         cohesive_energy, own);
     with.up_to(past.size(), age);
     with.up_to(patch.size(), patch_age);
 }
