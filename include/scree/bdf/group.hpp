@@ -56,8 +56,8 @@ class Group {
 
     /// What it carries from one meeting to the next.
     friend void visit_state(auto& with, StateOf<Group> auto& group) {
-        auto& [bodies, options, system, contacts, integrator, start, covers, demand, restart, arrived, failed,
-               asleep, calm, results, leaders] = group;
+        auto& [bodies, options, system, contacts, integrator, start, influences, covers, demand, restart,
+               arrived, failed, asleep, calm, results, leaders] = group;
         with(start, asleep, calm, results);
     }
     /// As after the meeting of which the state is. Throws StateError for one of other bodies and contacts.
