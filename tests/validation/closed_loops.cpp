@@ -41,7 +41,6 @@ Quat turned(double angle, const Vec3& axis) {
 
 std::vector<Loop> loops() {
     const Quat diagonal = Quat::FromTwoVectors(Vec3(1, 1, 1), -Vec3::UnitX());
-    const double half = edge / 2;
     return {
         {"corner on corner",
          {{edge * 0.5 * (std::sqrt(3.0) + std::sqrt(3.0)) - 0.012, 0.002, 0.001}, diagonal},
