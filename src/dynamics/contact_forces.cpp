@@ -30,7 +30,8 @@ const PatchCells* locate_cells(const Contact& contact, const TrialBody& a, const
                                bool co_rotation, ContactWorkspace& workspace) {
     const ContactGeometry& g = workspace.geometry;
     PatchCells& cells = workspace.cells;
-    cells.axis = patch_axis(contact.history, g.normal, g.normal.unitOrthogonal(), step, co_rotation, nullptr).axis;
+    cells.axis =
+        patch_axis(contact.history, g.normal, g.normal.unitOrthogonal(), step, co_rotation, nullptr).axis;
     return cut_into_cells(g, a.pose * contact.a.local, workspace.overlap, cells) ? &cells : nullptr;
 }
 
