@@ -1,14 +1,20 @@
 # scree::bullet: Bullet in double precision. Debian ships it as a library of its own beside the float one, with a
 # configuration file that names neither targets nor absolute paths. The installed package includes this file too.
+# scree_bullet_missing says what there is not, and is empty when all is.
 
+set(scree_bullet_missing "")
 if(NOT TARGET scree::bullet)
-    find_package(Bullet CONFIG REQUIRED CONFIGS BulletConfig-float64.cmake)
-    if(BULLET_VERSION_STRING VERSION_LESS 3.24)
-        message(FATAL_ERROR "scree needs Bullet 3.24 or newer, found ${BULLET_VERSION_STRING}")
+    find_package(Bullet CONFIG QUIET CONFIGS BulletConfig-float64.cmake)
+    if(NOT Bullet_FOUND)
+        set(scree_bullet_missing "scree needs Bullet in double precision (BulletConfig-float64.cmake)")
+    elseif(BULLET_VERSION_STRING VERSION_LESS 3.24)
+        set(scree_bullet_missing "scree needs Bullet 3.24 or newer, found ${BULLET_VERSION_STRING}")
+    elseif(NOT BULLET_DEFINITIONS MATCHES BT_USE_DOUBLE_PRECISION)
+        set(scree_bullet_missing "scree needs Bullet in double precision, found ${Bullet_CONFIG}")
     endif()
-    if(NOT BULLET_DEFINITIONS MATCHES BT_USE_DOUBLE_PRECISION)
-        message(FATAL_ERROR "scree needs Bullet in double precision, found ${Bullet_CONFIG}")
-    endif()
+endif()
+
+if(NOT TARGET scree::bullet AND NOT scree_bullet_missing)
     get_filename_component(bullet_include ${BULLET_INCLUDE_DIR} ABSOLUTE BASE_DIR ${BULLET_ROOT_DIR})
     get_filename_component(bullet_library_dir ${BULLET_LIBRARY_DIRS} ABSOLUTE BASE_DIR ${BULLET_ROOT_DIR})
 

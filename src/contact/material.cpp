@@ -59,6 +59,7 @@ PairConstants pair_constants(const PairMaterial& material, const BodySize& a, co
     pair.cohesion = material.cohesion;
     pair.torsion = material.torsion;
     pair.patch_friction = material.patch_friction;
+    pair.even_damping = material.even_damping;
     pair.inverse_inertia_a = a.inertia.cwiseInverse();
     pair.inverse_inertia_b = b.inertia.cwiseInverse();
     return pair;

@@ -16,7 +16,7 @@ struct DampingConstant {
 
 DampingConstant damping_constant(const ContactInput& in, NormalDamping kind) {
     DampingConstant damping{in.pair.normal_damping};
-    if (kind == NormalDamping::length) {
+    if (kind == NormalDamping::length && !in.pair.even_damping) {
         return damping;
     }
     // Where S vanishes the overlap's own size stands for it.
@@ -30,19 +30,49 @@ DampingConstant damping_constant(const ContactInput& in, NormalDamping kind) {
     return damping;
 }
 
+// A moment about the centroid, and its rates when they are asked for.
+struct Moment {
+    Vec3 value;
+    Mat39 rate;
+};
+
 // The traction cn (n_A·v_rel) n on the patch, its moment about the centroid. The mean of the integrals over
 // A's and over B's surface is taken, so that the bodies' order does not matter; they differ by the overlap's
 // volume. The derivative follows the motion and leaves the patch's own change out, which is of higher order
 // in the overlap.
-void add_rocking_damping(const ContactInput& in, double damping, ContactForce& out) {
+Moment rocking_damping(const ContactInput& in, double damping) {
     const ContactGeometry& g = in.geometry;
     const Mat3 across = -damping * g.tilting * cross_matrix(g.normal);
     const Mat3 by_velocity = across * (g.first_moment - 0.5 * g.volume * Mat3::Identity());
     const Mat3 by_spin = across * g.second_moment;
-    out.moment += by_velocity * in.motion.velocity + by_spin * in.motion.spin;
+    Moment moment;
+    moment.value = by_velocity * in.motion.velocity + by_spin * in.motion.spin;
     if (in.rates != nullptr) {
-        out.moment_rate.noalias() += by_velocity * in.rates->velocity;
-        out.moment_rate.noalias() += by_spin * in.rates->spin;
+        moment.rate.noalias() = by_velocity * in.rates->velocity;
+        moment.rate.noalias() += by_spin * in.rates->spin;
+    }
+    return moment;
+}
+
+// Tractions that nowhere pull and add up to fn have a moment of about fn r̄ at most. Without that bound the
+// moment would not vanish with fn, and the force would jump where the contact lets go.
+void add_bounded(const Moment& moment, const PressingForce& pressing, double lever, bool with_rates,
+                 ContactForce& out) {
+    const double size = moment.value.norm();
+    const double most = pressing.size * lever;
+    if (size <= most) {
+        out.moment += moment.value;
+        if (with_rates) {
+            out.moment_rate += moment.rate;
+        }
+        return;
+    }
+    const Vec3 direction = moment.value / size;
+    out.moment += most * direction;
+    if (with_rates) {
+        const Mat39 turned = moment.rate - direction * (direction.transpose() * moment.rate);
+        out.moment_rate += most / size * turned;
+        out.moment_rate.noalias() += direction * (lever * pressing.rate);
     }
 }
 
@@ -133,7 +163,7 @@ bool press(const ContactInput& in, const LawOptions& options, ContactForce& out,
     out.moment += elastic.moment;
     if (in.rates != nullptr) {
         Row9 damped_rate = damping.value * in.rates->volume_rate;
-        if (options.normal_damping != NormalDamping::length) {
+        if (options.normal_damping != NormalDamping::length || in.pair.even_damping) {
             damped_rate += damped * damping.growth;
         }
         pressing.rate = elastic.along_rate + damped_rate;
@@ -142,7 +172,7 @@ bool press(const ContactInput& in, const LawOptions& options, ContactForce& out,
         out.moment_rate += elastic.moment_rate;
     }
     if (g.flat_patch && options.damping == DampingPlace::patch) {
-        add_rocking_damping(in, damping.value, out);
+        add_bounded(rocking_damping(in, damping.value), pressing, g.lever, in.rates != nullptr, out);
     }
     out.power.normal = -(out.force.dot(in.motion.velocity) + out.moment.dot(in.motion.spin));
     out.power.normal_damping += out.power.normal;

@@ -7,6 +7,11 @@ ContactWorkspace& contact_workspace() {
     return workspace;
 }
 
+ContactWorkspace& second_contact_workspace() {
+    thread_local ContactWorkspace workspace;
+    return workspace;
+}
+
 bool locate(const Contact& contact, const TrialBody& a, const TrialBody& b, Detail detail,
             OverlapWorkspace& workspace, ContactGeometry& geometry, PairArms& arms) {
     const Pose pose_a = a.pose * contact.a.local;
@@ -44,6 +49,13 @@ const DepthPotential* locate_potential(const Contact& contact, const TrialBody& 
     depth_potential(*solid, a.pose * contact.a.local, workspace.geometry, detail, workspace.overlap,
                     workspace.potential);
     return &workspace.potential;
+}
+
+void account_as_lost(const ContactGeometry& geometry, const RelativeMotion& motion, ContactForce& law) {
+    const double normal = law.force.dot(geometry.normal) * geometry.normal.dot(motion.velocity);
+    law.power = {};
+    law.power.normal = -normal;
+    law.power.tangential = normal - law.force.dot(motion.velocity) - law.moment.dot(motion.spin);
 }
 
 void settle(const ContactGeometry& geometry, const RelativeMotion& motion, const TrialBody& a,

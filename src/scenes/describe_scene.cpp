@@ -71,12 +71,29 @@ void add_stepping(const SceneDescription& scene, Lines& lines) {
         line << ", adaptive step";
     }
     if (stepping.method == SteppingMethod::bullet) {
-        line << " at most, " << stepping.iterations << " iterations";
+        line << " at most, " << stepping.iterations << " iterations, "
+             << (stepping.separating_axis ? "separating axes" : "GJK") << ", friction directions "
+             << stepping.friction_directions;
     }
     if (stepping.method == SteppingMethod::bdf) {
         line << ", orders 1 to " << stepping.max_order << ", rtol " << stepping.rtol << ", atol "
              << stepping.atol << ", solver " << word_of(solver_choices, stepping.solver)
              << (stepping.sleep ? ", groups at rest sleep" : "");
+    }
+}
+
+void add_output(const OutputDescription& output, Lines& lines) {
+    const std::pair<const char*, bool> files[] = {{" bodies.csv", output.bodies},
+                                                  {" energy.csv", output.energy},
+                                                  {" contacts.csv", output.contacts},
+                                                  {" replay.glb", output.replay}};
+    Line line(lines);
+    line << "output: summary.json";
+    for (const auto& [name, wanted] : files) {
+        line << (wanted ? name : "");
+    }
+    if (output.checkpoint_every > 0) {
+        line << ", a checkpoint every " << output.checkpoint_every << " s";
     }
 }
 
@@ -102,6 +119,7 @@ std::vector<std::string> describe_scene(const Simulation& simulation) {
     add_materials(scene, lines);
     add_law(scene, lines);
     add_stepping(scene, lines);
+    add_output(scene.output, lines);
     const Features features = scene_features(scene);
     add_words("used", features.used, lines);
     add_words("left out", features.left_out, lines);

@@ -147,6 +147,8 @@ constexpr Feature features[] = {
     {"energy_ledger", by_law},
     {"sleep", [](const S& s) { return s.stepping.sleep && s.stepping.method == SteppingMethod::bdf; }},
     {"bullet_solver", by_bullet},
+    {"replay", [](const S& s) { return s.output.replay; }},
+    {"checkpoints", [](const S& s) { return s.output.checkpoint_every > 0; }},
 };
 
 }  // namespace

@@ -64,6 +64,11 @@ bool ScreeEngine::advance(double begin, double end) {
     return !world_.step_report().failed;
 }
 
+void ScreeEngine::set_threads(std::size_t threads) {
+    world_.set_threads(threads);
+    threads_ = threads;
+}
+
 FrameMotion ScreeEngine::motion(std::size_t number) const {
     const Body& body = world_.system().bodies[number];
     const BodyState& state = world_.system().states[number];

@@ -163,6 +163,18 @@ std::shared_ptr<btCollisionShape> scaled_native(const btCollisionShape& shape, d
     return scaled_collision;
 }
 
+/// Writes what tells a shape from another of its kind.
+struct GeometryWriter {
+    StateWriter& with;
+
+    void operator()(const ConvexPolyhedron& solid) const { with(solid.vertices); }
+    void operator()(const Sphere& sphere) const { with(sphere.radius); }
+    void operator()(const HalfSpace& half_space) const { with(half_space.normal, half_space.offset); }
+    void operator()(const Frustum& frustum) const { with(frustum.bottom, frustum.top, frustum.half_height); }
+    void operator()(const Capsule& capsule) const { with(capsule.radius, capsule.half_length); }
+    void operator()(const OpenSurface& surface) const { with(surface.low, surface.high); }
+};
+
 // Of a sphere or a polyhedron.
 std::shared_ptr<const Shape> scaled_shape(const Shape& shape, double factor) {
     if (const auto* sphere = std::get_if<Sphere>(&shape)) {
@@ -181,6 +193,17 @@ std::shared_ptr<const Shape> scaled_shape(const Shape& shape, double factor) {
 }
 
 }  // namespace
+
+SavedState geometry_of(const Solid& solid) {
+    SavedState geometry;
+    StateWriter with(geometry);
+    with(solid.body_in_file.position, solid.body_in_file.orientation, solid.volume, solid.inertia);
+    for_each_part(solid, [&](const Shape& part, const Vec3& position) {
+        with(part.index(), position);
+        std::visit(GeometryWriter{with}, part);
+    });
+    return geometry;
+}
 
 Solid make_solid(const ShapeDescription& shape, const std::filesystem::path& folder) {
     return std::visit(Maker{folder}, shape);

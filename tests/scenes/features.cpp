@@ -95,3 +95,10 @@ TEST_CASE("Kinetic friction is used where a material or a pair names it", "[scen
 TEST_CASE("A fixed step leaves the error control out", "[scenes]") {
     CHECK_FALSE(uses("error_control", {"stepping.step=1e-4"}));
 }
+
+TEST_CASE("What is not written is left out", "[scenes]") {
+    CHECK(uses("replay", {}));
+    CHECK_FALSE(uses("replay", {"output.replay=false"}));
+    CHECK_FALSE(uses("checkpoints", {}));
+    CHECK(uses("checkpoints", {"output.checkpoint_every=1"}));
+}

@@ -120,6 +120,8 @@ constexpr BadSetting bad_settings[] = {
     {"stepping.rtol=0", "stepping.rtol: found 0, expected a number above 0"},
     {"stepping.max_order=6", "stepping.max_order: found 6, expected a whole number from 1 to 5"},
     {"stepping.iterations=5", "stepping.iterations: found 5, expected it only with"},
+    {"stepping.separating_axis=true", "stepping.separating_axis: found true, expected it only with"},
+    {"stepping.friction_directions=2", "stepping.friction_directions: found 2, expected it only with"},
     {"stepping.method=verlet", "stepping: found no fixed step, expected"},
     // Names that lead nowhere, or are used twice.
     {"bodies.1.shape=crat", "bodies.1.shape: found \"crat\", expected the name of a shape"},
@@ -214,6 +216,8 @@ constexpr BadSetting bad_settings[] = {
     {"stepping.step=-1e-3", "stepping.step: found -0.001, expected a number above 0"},
     {"stepping.rtol=2", "stepping.rtol: found 2, expected a number above 0 and at most 1"},
     {"stepping.atol=-1", "stepping.atol: found -1, expected a number above 0"},
+    {"stepping={\"method\":\"bullet\",\"friction_directions\":3}",
+     "stepping.friction_directions: found 3, expected 1 or 2"},
     {"stepping={\"method\":\"bullet\",\"iterations\":0}",
      "stepping.iterations: found 0, expected a whole number from 1 to 1000000"},
     {"stepping={\"method\":\"symplectic_euler\",\"step\":\"adaptive\"}", "stepping: found no fixed step"},
@@ -240,9 +244,7 @@ constexpr BadSetting bad_settings[] = {
 };
 
 constexpr BadSetting absent_settings[] = {
-    {"output.replay=true", "output.replay: found true, which is not in this build"},
     {"output.vtk=true", "output.vtk: found true, which is not in this build"},
-    {"output.checkpoint_every=0.1", "output.checkpoint_every: found 0.1, which is not in this build"},
 };
 
 template <std::size_t count>

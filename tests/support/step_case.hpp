@@ -132,6 +132,8 @@ struct StepCase {
 /// derivative.
 template <LawParts parts = LawParts{}>
 struct WholeDerivativeLaw {
+    static constexpr bool gives_rates = true;
+    static constexpr bool gives_power = true;
     BuiltInLaw<parts> law;
     double lever = 0;
 

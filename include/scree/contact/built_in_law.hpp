@@ -10,6 +10,8 @@ namespace scree {
 /// The project's law: normal force from the overlap volume, friction, torsion, rolling resistance.
 template <LawParts parts>
 struct BuiltInLaw {
+    static constexpr bool gives_rates = true;
+    static constexpr bool gives_power = true;
     LawOptions options;
 
     void operator()(const ContactInput& in, ContactForce& out) const {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <scree/contact/patch_record.hpp>
+#include <scree/mesh/saved_state.hpp>
 
 namespace scree {
 
@@ -22,6 +23,10 @@ struct FrictionRecord {
     bool slipping = false;        ///< it was at its limit
     Vec3 rolling = Vec3::Zero();  ///< the moment against rolling over Lc/2 [N], across the normal
 };
+void visit_state(auto& with, StateOf<FrictionRecord> auto& record) {
+    auto& [force, normal, stiffness, slipping, rolling] = record;
+    with(force, normal, stiffness, slipping, rolling);
+}
 
 /// What a contact remembers of accepted steps. Only an accepted step changes it.
 struct ContactHistory {
@@ -35,6 +40,9 @@ struct ContactHistory {
     double torsional_energy = 0;
     double rolling_energy = 0;
     double cohesive_energy = 0;
+    /// What a law with a history of its own keeps beside `past`: as many records of plain numbers, the latest
+    /// first; empty for all other laws.
+    std::vector<double> own;
 
     /// An accepted step in contact; without cells: those that were there are forgotten.
     void push(const FrictionRecord& record, std::span<const PatchRecord> cells = {}) {
@@ -49,6 +57,12 @@ struct ContactHistory {
         if (!cells.empty()) {
             push_patch(cells.front());
         }
+    }
+    /// The law's own record of the step; all are of one length.
+    void push_own(std::span<const double> record) {
+        own.resize(past.size() * record.size());
+        std::copy_backward(own.begin(), own.end() - static_cast<std::ptrdiff_t>(record.size()), own.end());
+        std::copy(record.begin(), record.end(), own.begin());
     }
     /// An accepted step without force.
     void clear() {
@@ -69,5 +83,13 @@ struct ContactHistory {
         patch.front() = record;
     }
 };
+void visit_state(auto& with, StateOf<ContactHistory> auto& history) {
+    auto& [past, age, patch, patch_age, centre_line, normal_energy, tangential_energy, torsional_energy,
+           rolling_energy, cohesive_energy, own] = history;
+    with(past, patch, centre_line, normal_energy, tangential_energy, torsional_energy, rolling_energy,
+         cohesive_energy, own);
+    with.up_to(past.size(), age);
+    with.up_to(patch.size(), patch_age);
+}
 
 }  // namespace scree

@@ -2,6 +2,7 @@
 
 #include <bitset>
 
+#include <scree/mesh/saved_state.hpp>
 #include <scree/overlap/patch_cells.hpp>
 
 namespace scree {
@@ -14,5 +15,9 @@ struct PatchRecord {
     std::array<Vec3, PatchCells::count> force;
     std::bitset<PatchCells::count> slipping;  ///< those that were at their limit
 };
+void visit_state(auto& with, StateOf<PatchRecord> auto& record) {
+    auto& [axis, force, slipping] = record;
+    with(axis, force, slipping);
+}
 
 }  // namespace scree

@@ -35,6 +35,7 @@ enum class Parts {
     surface,    ///< the surface itself, as ground of any shape
 };
 
+/// A shape from a mesh file.
 struct MeshShape {
     std::filesystem::path file;  ///< relative to the scene's file
     Vec3 scale = Vec3::Ones();
@@ -42,6 +43,7 @@ struct MeshShape {
     std::vector<std::filesystem::path> part_files;
 };
 
+/// A box about its centre.
 struct BoxShape {
     Vec3 edges = Vec3::Zero();  ///< [m], full lengths
 };
@@ -80,6 +82,7 @@ struct FillDescription {
 struct SceneDescription {
     std::string name;            ///< of the scene
     std::filesystem::path file;  ///< where it was read; meshes are found beside it
+    std::string text;            ///< JSON that says the same, with what was set from outside; empty: none
     Vec3 gravity{0, 0, -9.81};   ///< [m/s²]
     std::map<std::string, MaterialDescription> materials;
     std::vector<PairDescription> pairs;

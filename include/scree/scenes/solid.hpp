@@ -43,6 +43,9 @@ void for_each_part(const Solid& solid, Visit&& visit) {
 /// Loads the mesh, if it is one. Throws std::exception, saying why it is no solid.
 Solid make_solid(const ShapeDescription& shape, const std::filesystem::path& folder);
 
+/// All that the motion of a body of this shape depends on, to tell it from another one.
+SavedState geometry_of(const Solid& solid);
+
 /// The same solid with all lengths multiplied by `factor`.
 Solid scaled(const Solid& solid, double factor);
 
