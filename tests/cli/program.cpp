@@ -160,7 +160,6 @@ TEST_CASE("Bad usage is refused by one line", "[cli]") {
     check_refused(folder, {"mesh", cube_file, "--scale", "0"}, "scale");
     check_refused(folder, {"resume"}, "DIR");
     check_refused(folder, {"resume", folder / "out", "--until", "soon"}, "--until");
-    check_refused(folder, {"report", "all", "--quick"}, "report: not in this build");
 }
 
 TEST_CASE("What cannot be written ends with status 4", "[cli]") {
