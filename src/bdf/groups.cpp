@@ -317,6 +317,11 @@ void Groups::move_prescribed(double end) {
     }
 }
 
+bool Groups::asleep(int body) const {
+    const auto number = at(body);
+    return number < group_of_.size() && group_of_[number] >= 0 && groups_[at(group_of_[number])]->asleep();
+}
+
 const Group* Groups::failed() const {
     const auto found =
         std::find_if(groups_.begin(), groups_.end(), [](const auto& group) { return group->failed(); });

@@ -56,6 +56,11 @@ endif()
 scree_library(scenes FOLDERS scenes
     PUBLIC scree::world scree::mesh_io nlohmann_json::nlohmann_json
     PCH ${eigen_pch} <btBulletDynamicsCommon.h> <nlohmann/json.hpp>)
+if(TARGET scree_scenes AND TARGET scree::hacd)
+    target_link_libraries(scree_scenes PRIVATE scree::hacd)
+    set_source_files_properties(${PROJECT_SOURCE_DIR}/src/scenes/decomposition.cpp PROPERTIES
+        COMPILE_DEFINITIONS SCREE_HAS_HACD SKIP_PRECOMPILE_HEADERS ON)
+endif()
 
 # The scenes that come with scree, for a program that runs from its build folder.
 set_source_files_properties(${PROJECT_SOURCE_DIR}/src/scenes/find_scene.cpp PROPERTIES

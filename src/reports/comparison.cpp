@@ -19,7 +19,10 @@ Work work_of(const Table& table, const Row& row) {
     work.label = together({method, ", ", manner, tail});
     work.by_bullet = method == "bullet";
     const bool one_manner = work.by_bullet || !method.starts_with("bdf");
-    work.family = together({method, one_manner ? "" : adaptive ? ", adaptive" : ", fixed steps", tail});
+    const std::size_t best = tail.find("; separating");
+    const std::string short_tail =
+        best == std::string::npos ? tail : together({tail.substr(0, best), ", best"});
+    work.family = together({method, one_manner ? "" : adaptive ? ", adaptive" : ", fixed", short_tail});
     work.seconds = table.number(row, "seconds");
     work.error = table.number(row, "error");
     work.numerical_error = table.number(row, "numerical_error");

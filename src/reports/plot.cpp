@@ -42,9 +42,9 @@ std::string data_of(const Series& series, std::size_t number) {
 std::string script_of(const Plot& plot, const std::vector<Series>& series,
                       const std::filesystem::path& file) {
     std::string text =
-        "set terminal svg size 900,480 font \"sans-serif,13\" background \"white\" dynamic\n"
+        "set terminal svg size 960,500 font \"sans-serif,13\" background \"white\" dynamic\n"
         "set logscale xy\nset format \"10^{%L}\"\nset grid lc rgb \"#dddddd\"\nset border 3\n"
-        "set tics nomirror\nset key outside right top\n";
+        "set tics nomirror\nset key outside right top samplen 2 font \",11\"\n";
     text += together({"set output ", quoted(file.string()), "\nset title ", quoted(plot.title),
                       " noenhanced\nset xlabel ", quoted(plot.x_label), "\nset ylabel ", quoted(plot.y_label),
                       "\n"});

@@ -20,6 +20,26 @@ struct Extreme {
     std::optional<Problem> twin{};  ///< must come out alike, by the same method, in place of a known end
 };
 
+/// What they vary, for `only`.
+constexpr const char* axes[] = {"Y [Pa]",
+                                "step",
+                                "size [m]",
+                                "gravity [g]",
+                                "origin [m]",
+                                "units",
+                                "sliver plate",
+                                "sliver needle",
+                                "faces",
+                                "stack",
+                                "mass ratio",
+                                "aligned",
+                                "friction",
+                                "damping [critical]",
+                                "spin [rad/s]",
+                                "spin on the floor [rad/s]",
+                                "speed at a thin wall [m/s]",
+                                "overlap [size]"};
+
 /// All of them.
 std::vector<Extreme> extremes(const std::filesystem::path& folder, bool quick);
 

@@ -17,7 +17,10 @@ void add_constants(const SceneDescription& scene, const PairMaterial& pair, Line
     }
     line << "Y " << pair.youngs_modulus << " Pa, friction " << pair.friction << ", damping "
          << pair.normal_damping << " normal, " << pair.tangential_damping << " tangential, Yt/Y "
-         << pair.tangential_ratio << ", torsion " << (pair.torsion ? "on" : "off");
+         << pair.tangential_ratio << ", torsion "
+         << (!pair.torsion         ? "off"
+             : pair.patch_friction ? "on patch cells"
+                                   : "on");
     if (pair.kinetic_friction) {
         line << ", kinetic friction " << *pair.kinetic_friction;
     }

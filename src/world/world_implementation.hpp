@@ -41,7 +41,10 @@ class WorldImplementation {
     /// Before Bullet's own part.
     void remove(const btCollisionObject& object);
     void constants_changed() { constants_changed_ = true; }
+    /// What contacts remember belongs to another law.
+    void law_changed();
     [[nodiscard]] Material material(const btRigidBody& body, double gravity) const;
+    [[nodiscard]] PairMaterial pair_material(const btRigidBody& a, const btRigidBody& b, double gravity);
 
     /// stepSimulation is about to run for `time` [s], after which prescribed bodies are at their targets.
     void begin_call(double time) { call_left_ = time; }
@@ -71,6 +74,7 @@ class WorldImplementation {
     bool guarded(const std::function<void()>& part);
     void read_bodies(double tick);
     void prepare(double gravity);
+    void forget_contacts_of(std::span<const int> bodies);
     void step_to(btCollisionWorld& world, double end);
     double to_meeting(btCollisionWorld& world, double now, double end);
     double choose_meeting(btCollisionWorld& world, double now, double end);

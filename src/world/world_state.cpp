@@ -38,7 +38,7 @@ void WorldImplementation::restore(StateReader& with, btCollisionWorld& world, do
     }
     manifold_contacts_.restore(with, world.getDispatchInfo(), system_);
     groups_.restore(with, clock_.now());
-    bodies_.write(false);
+    bodies_.write(false, groups_);
     changed_ = false;
 }
 

@@ -244,10 +244,6 @@ constexpr BadSetting bad_settings[] = {
 };
 
 constexpr BadSetting absent_settings[] = {
-    {"law.normal=energy", "law.normal: found \"energy\", which is not in this build"},
-    {"materials.rock.torsion=patch", "materials.rock.torsion: found \"patch\", which is not in this build"},
-    {"shapes.s={\"mesh\":\"a.obj\",\"parts\":\"decompose\"}",
-     "shapes.s.parts: found \"decompose\", which is"},
     {"output.vtk=true", "output.vtk: found true, which is not in this build"},
 };
 

@@ -56,8 +56,8 @@ class Group {
 
     /// What it carries from one meeting to the next.
     friend void visit_state(auto& with, StateOf<Group> auto& group) {
-        auto& [bodies, options, system, contacts, integrator, start, covers, demand, restart, arrived, failed,
-               asleep, calm, results, leaders] = group;
+        auto& [bodies, options, system, contacts, integrator, start, influences, covers, demand, restart,
+               arrived, failed, asleep, calm, results, leaders] = group;
         with(start, asleep, calm, results);
     }
     /// As after the meeting of which the state is. Throws StateError for one of other bodies and contacts.
@@ -66,12 +66,15 @@ class Group {
   private:
     [[nodiscard]] bool same_contacts(const System& whole, std::span<const std::size_t> contacts) const;
     bool load_bodies(const System& whole);
+    void assume(std::size_t body);
     void load_contacts(const System& whole, std::span<const std::size_t> contacts);
     void shorten_memories();
     void hand_back(System& whole) const;
     bool covered(std::span<const TrialBody> trial);
     [[nodiscard]] static bool drives(const Body& body, const BodyState& state, double time);
     [[nodiscard]] bool at_rest() const;
+    [[nodiscard]] bool may_rest() const;
+    bool stopped_from_outside(System& whole, double time);
 
     std::vector<int> bodies_;
     SteppingOptions options_;
@@ -79,6 +82,10 @@ class Group {
     std::vector<std::size_t> contacts_;  ///< numbers in the whole
     std::unique_ptr<Integrator> integrator_;
     SteppingMemory start_;
+    struct Influence {
+        Vec3 force, torque;
+    };
+    std::vector<Influence> influences_;  ///< what acts from outside less what did at the last load
     std::span<const BodyCover> covers_;
     std::span<double> demand_;
     bool restart_ = true;

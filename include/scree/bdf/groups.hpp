@@ -51,6 +51,8 @@ class Groups {
     /// A group that could not go on in the last advance; null: there is none.
     [[nodiscard]] const Group* failed() const;
     [[nodiscard]] std::size_t count() const { return groups_.size(); }
+    /// Whether a body's group is at rest and steps no more.
+    [[nodiscard]] bool asleep(int body) const;
     [[nodiscard]] std::span<const std::unique_ptr<Group>> all() const { return groups_; }
 
     /// What has flowed since last taken.

@@ -4,9 +4,18 @@
 
 #include <scree/contact/material.hpp>
 #include <scree/dynamics/prescribed_path.hpp>
+#include <scree/dynamics/restraint.hpp>
 #include <scree/mesh/saved_state.hpp>
 
 namespace scree {
+
+/// Whether a body may be left standing, with the group in which it is.
+enum class Rest {
+    by_option,     ///< when the group is at rest and the method's options say so
+    wanted,        ///< when the group is at rest, whatever the options say
+    never,         ///< it keeps its group awake
+    from_outside,  ///< at once, if all of its group are to: what moves stops where it is
+};
 
 /// What does not change while a body moves. Its frame has the mass centre as origin and principal axes.
 struct Body {
@@ -19,12 +28,15 @@ struct Body {
     /// Of a body of infinite mass; null: straight on and turning steadily, by the velocities of its state.
     /// Kept alive by the owner of the body.
     const PrescribedPath* path = nullptr;
+    /// Null: forces and torques have their full way. Kept alive by the owner of the body.
+    const Restraint* restraint = nullptr;
+    Rest rest = Rest::by_option;
 
     [[nodiscard]] bool dynamic() const { return mass < std::numeric_limits<double>::infinity(); }
 };
 /// What acts on it; the body itself is the same.
 void visit_state(auto& with, StateOf<Body> auto& body) {
-    auto& [mass, inertia, radius, weight, force, torque, path] = body;
+    auto& [mass, inertia, radius, weight, force, torque, path, restraint, rest] = body;
     with(weight, force, torque);
 }
 

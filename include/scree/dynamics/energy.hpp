@@ -13,7 +13,7 @@ struct Accumulated {
     double torsion = 0;             ///< into torsional springs, slip and damping
     double rolling = 0;             ///< into rolling springs, their limit and damping
     double cohesion = 0;            ///< against the pull of cohesion
-    double applied = 0;             ///< by applied forces and prescribed bodies
+    double applied = 0;             ///< by applied forces, restraints and prescribed bodies
 
     Accumulated& add(double factor, const Accumulated& other);
 };

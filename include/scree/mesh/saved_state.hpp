@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <bitset>
 #include <concepts>
 #include <cstdint>
 #include <limits>
@@ -86,6 +87,10 @@ class StateWriter {
         for (const T& value : list) {
             write(value);
         }
+    }
+    template <std::size_t size>
+    void write(const std::bitset<size>& bits) {
+        write(bits.to_ullong());
     }
     template <class T>
     void write(const std::vector<T>& list) {
@@ -177,6 +182,13 @@ class StateReader {
         for (T& value : list) {
             read(value);
         }
+    }
+    template <std::size_t size>
+    void read(std::bitset<size>& bits) {
+        unsigned long long value = 0;
+        read(value);
+        bits = std::bitset<size>(value);
+        require(bits.to_ullong() == value);
     }
     template <class T>
     void read(std::vector<T>& list) {
