@@ -70,7 +70,7 @@ TEST_CASE("Bodies that move as prescribed are described by their motion, those o
 
 TEST_CASE("What Bullet's own solver will use is described for it", "[scenes]") {
     const auto lines = lines_of({"stepping={\"method\":\"bullet\",\"step\":0.01,\"iterations\":20}"});
-    check_has(lines, "stepping: bullet, step 0.01 s at most, 20 iterations");
+    check_has(lines, "stepping: bullet, step 0.01 s at most, 20 iterations, GJK, friction directions 1");
     check_has(lines, "law: none of scree's, impulses of Bullet's own solver");
     check_has(lines, "material: rock, 2600 kg/m³; on itself friction 0.5, restitution 0.506277");
 }

@@ -34,12 +34,19 @@ const JsonSchema& schema() {
 /// Why a parser refuses what a schema cannot: names, sizes of sums, one number against another, the files
 /// there are.
 constexpr const char* beyond_schemas[] = {
-    "expected the name of a", " again,",
-    "a half-space",           "found more than",
-    "at most the friction",   "the pair's friction",
-    "fixed body that",        "of its own",
-    "the lowest corner, ",    "the smaller number",
-    "1000000 at most",        "expected 16 at most",
+    "expected the name of a",
+    "\"ice\", expected the name",
+    " again,",
+    "a half-space",
+    "found more than",
+    "at most the friction",
+    "the pair's friction",
+    "fixed body that",
+    "of its own",
+    "the lowest corner, ",
+    "the smaller number",
+    "1000000 at most",
+    "expected 16 at most",
 };
 
 bool beyond(const std::string& message) {
