@@ -129,6 +129,7 @@ def main():
     write("cube", box(1, 1, -0.5, 0.5), "cube of edge 1 about the origin")
     write("slab", box(1, 1, -0.1, 0), "slab 1 by 1 by 0.1, its top in the plane z = 0")
     write("hexagonal_prism", prism(6, 0.5, 0.6), "hexagonal prism of edge 0.5 and height 0.6 along z, about the origin")
+    write("disc", prism(48, 0.5, 0.1), "disc of 48 sides, radius 0.5 and height 0.1 along z, about the origin")
     write("tetrahedron", edge_one([[1, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1]]), "tetrahedron of edge 1")
     write("octahedron", edge_one(signs(1, 0, 0) + signs(0, 1, 0) + signs(0, 0, 1)), "octahedron of edge 1")
     write("icosahedron", edge_one(even_permutations(signs(0, 1, GOLDEN))), "icosahedron of edge 1")

@@ -43,10 +43,14 @@ void Integrator::evaluate_present(Eigen::VectorXd& u, double moment) {
 void Integrator::remember_energies() {
     const auto results = problem_.results();
     for (std::size_t i = 0; i < results.size(); ++i) {
-        const bool touching = results[i].touching;
+        const ContactForce& law = results[i].law;
+        const double touching = results[i].touching ? 1 : 0;
         ContactHistory& history = system_.contacts[i].history;
-        history.normal_energy = touching ? results[i].law.normal_energy : 0;
-        history.tangential_energy = touching ? results[i].law.tangential_energy : 0;
+        history.normal_energy = touching * law.normal_energy;
+        history.tangential_energy = touching * law.tangential_energy;
+        history.torsional_energy = touching * law.torsional_energy;
+        history.rolling_energy = touching * law.rolling_energy;
+        history.cohesive_energy = touching * law.cohesive_energy;
     }
 }
 

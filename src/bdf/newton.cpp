@@ -108,8 +108,7 @@ Newton::Outcome Newton::iterate(StepProblem& problem, std::span<const Body> bodi
             return Outcome::failed;
         }
         direction_ = -problem.residual();
-        problem.solve(direction_);
-        if (!direction_.allFinite()) {
+        if (!problem.solve(direction_)) {
             return Outcome::failed;
         }
         ++statistics_.iterations;

@@ -11,6 +11,7 @@ namespace scree {
 namespace {
 
 constexpr std::size_t most_landings = 4;  // attempts to end a step there
+constexpr double a_share = 0.1;           // of a step, that a moment may take
 constexpr double a_moment = 1e-6;         // of the time that a body takes to move by its own radius
 
 }  // namespace
@@ -20,6 +21,10 @@ constexpr double a_moment = 1e-6;         // of the time that a body takes to mo
 // Returns whether the next attempt is such a one.
 bool Stepper::locate_onset(double time) {
     if (options_.fixed_step > 0 || ++landings_ > most_landings) {
+        return false;
+    }
+    // Bodies that hardly move touch and part by rounding, and have no onset.
+    if (moment() > a_share * (time - memory_.time)) {
         return false;
     }
     const double onset = onset_time(time);

@@ -32,10 +32,19 @@ struct MeshRequest {
     bool quiet = false;
 };
 
+struct ReportOrder {
+    std::string part;  ///< accuracy, stability, cost or all
+    std::string out = "out/report";
+    std::vector<std::string> only;
+    bool quick = false;
+    bool quiet = false;
+};
+
 // The commands. Each returns its exit status, and throws SceneError or OutputError.
 int run_command(const RunRequest& request);
 int check_command(const RunRequest& request);
 int mesh_command(const MeshRequest& request);
 int list_command(bool quiet);
+int report_command(const ReportOrder& order);
 
 }  // namespace scree

@@ -37,7 +37,7 @@ class CommandLine {
         add_mesh();
         add_list();
         add_absent("resume", "go on with a run from its checkpoint");
-        add_absent("report", "tables of accuracy, stability and cost");
+        add_report();
     }
 
     int run(int count, char** words) {
@@ -119,6 +119,21 @@ class CommandLine {
         add("list", "List the scenes that come with scree", [this] { return list_command(run_.quiet); });
     }
 
+    void add_report() {
+        CLI::App* sub = add("report", "Measure accuracy, stability and cost, and write tables and pages", [this] {
+            report_.quiet = run_.quiet;
+            return report_command(report_);
+        });
+        sub->add_option("PART", report_.part, "accuracy, stability, cost or all")
+            ->required()
+            ->check(CLI::IsMember({"accuracy", "stability", "cost", "all"}));
+        sub->add_flag("--quick", report_.quick, "Fewer cases and shorter runs");
+        sub->add_option("--out", report_.out, "The folder to write to (out/report); what it has is gone on with");
+        sub->add_option("--only", report_.only, "Measure this problem, axis or table alone")
+            ->allow_extra_args(false)
+            ->take_all();
+    }
+
     void add_absent(const char* name, const char* purpose) {
         add(name, purpose, [name] {
             return report_error(std::string(name) + ": not in this build", exit_bad_input);
@@ -128,6 +143,7 @@ class CommandLine {
     CLI::App app_{"scree: discrete elements of polyhedra, loaded from meshes, over Bullet", "scree"};
     RunRequest run_;
     MeshRequest mesh_;
+    ReportOrder report_;
     std::function<int()> command_;
 };
 

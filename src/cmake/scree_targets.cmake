@@ -30,7 +30,7 @@ endfunction()
 # Links the targets of ours that exist, and all others.
 function(scree_link target scope)
     foreach(library IN LISTS ARGN)
-        string(REGEX REPLACE "^scree::(core|world|mesh_io|output|scenes)$" "scree_\\1" library ${library})
+        string(REGEX REPLACE "^scree::(core|world|mesh_io|output|scenes|reports)$" "scree_\\1" library ${library})
         if(TARGET ${library} OR NOT library MATCHES "^scree_")
             target_link_libraries(${target} ${scope} ${library})
         endif()
@@ -54,13 +54,38 @@ scree_library(scenes FOLDERS scenes
 set_source_files_properties(${PROJECT_SOURCE_DIR}/src/scenes/find_scene.cpp PROPERTIES
     COMPILE_DEFINITIONS SCREE_SOURCE_DIR="${PROJECT_SOURCE_DIR}" SKIP_PRECOMPILE_HEADERS ON)
 
-scree_glob(program_sources ${PROJECT_SOURCE_DIR}/src *.cpp cli reports)
+scree_library(reports FOLDERS reports
+    PUBLIC scree::scenes scree::output
+    PCH ${eigen_pch} <btBulletDynamicsCommon.h>)
+if(TARGET scree_reports)
+    set(build_facts ${PROJECT_BINARY_DIR}/reports/build_facts.hpp)
+    string(TOUPPER "${CMAKE_BUILD_TYPE}" SCREE_UPPER_BUILD_TYPE)
+    string(STRIP "${CMAKE_BUILD_TYPE}, ${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${SCREE_UPPER_BUILD_TYPE}}" build_options)
+    set(component_links "")
+    foreach(component IN LISTS SCREE_COMPONENTS)
+        get_target_property(links scree_${component} LINK_LIBRARIES)
+        string(REPLACE "scree_" "scree::" links "${links}")
+        string(REPLACE ";" " " links "${links}")
+        string(APPEND component_links "{\"${component}\", \"${links}\"},")
+    endforeach()
+    add_custom_target(scree_build_facts BYPRODUCTS ${build_facts}
+        COMMAND ${CMAKE_COMMAND} -DSOURCE=${PROJECT_SOURCE_DIR} -DOUTPUT=${build_facts}
+        -DCMAKE_CXX_COMPILER_ID=${CMAKE_CXX_COMPILER_ID} -DCMAKE_CXX_COMPILER_VERSION=${CMAKE_CXX_COMPILER_VERSION}
+        "-DSCREE_BUILD_OPTIONS=${build_options}" -DBULLET_VERSION_STRING=${BULLET_VERSION_STRING}
+        "-DSCREE_COMPONENT_LINKS=${component_links}"
+        -DEigen3_VERSION=${Eigen3_VERSION} -DQhull_VERSION=${Qhull_VERSION} -Dassimp_VERSION=${assimp_VERSION}
+        -P ${PROJECT_SOURCE_DIR}/src/cmake/build_facts.cmake VERBATIM)
+    add_dependencies(scree_reports scree_build_facts)
+    target_include_directories(scree_reports PRIVATE ${PROJECT_BINARY_DIR}/reports)
+endif()
+
+scree_glob(program_sources ${PROJECT_SOURCE_DIR}/src *.cpp cli)
 if(program_sources)
     add_executable(scree_program ${program_sources})
     set_target_properties(scree_program PROPERTIES OUTPUT_NAME scree)
     scree_settings(scree_program)
     target_include_directories(scree_program PRIVATE
         ${PROJECT_SOURCE_DIR}/include ${PROJECT_BINARY_DIR}/include)
-    scree_link(scree_program PRIVATE scree::scenes scree::output scree::world scree::mesh_io scree::core
+    scree_link(scree_program PRIVATE scree::reports scree::scenes scree::output scree::world scree::mesh_io scree::core
         CLI11::CLI11 nlohmann_json::nlohmann_json)
 endif()

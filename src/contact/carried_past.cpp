@@ -14,8 +14,10 @@ double share_kept(double stiffness, double before) {
 }
 
 template <FrictionLaw friction>
-CarriedForce carried_record(const ContactInput& in, const LawOptions& options, std::size_t j) {
-    const FrictionRecord& record = in.history.past[j];
+CarriedForce carried_record(const ContactInput& in, const LawOptions& options, std::size_t j,
+                            Vec3 FrictionRecord::*which) {
+    const FrictionRecord& past = in.history.past[j];
+    const FrictionRecord record{.force = past.*which, .normal = past.normal};
     if constexpr (friction == FrictionLaw::cundall_strack_2d) {
         return carry_in_plane(record, in.geometry.normal, in.rates);
     } else {
@@ -42,7 +44,8 @@ void soften(const ContactInput& in, const TangentialConstants& constants, Tangen
 
 template <FrictionLaw friction>
 TangentialForce carried_past(const ContactInput& in, const LawOptions& options,
-                             const TangentialConstants& constants, ContactForce& out) {
+                             const TangentialConstants& constants, Vec3 FrictionRecord::*which,
+                             ContactForce& out) {
     TangentialForce sum;
     if (in.rates != nullptr) {
         sum.rate.setZero();
@@ -53,7 +56,7 @@ TangentialForce carried_past(const ContactInput& in, const LawOptions& options,
     for (std::size_t j = 0; j < records; ++j) {
         kept *= j > 0 ? share_kept(past[j - 1].stiffness, past[j].stiffness) : 1;
         const double weight = in.step.formula.past[j] * kept;
-        const CarriedForce carried = carried_record<friction>(in, options, j);
+        const CarriedForce carried = carried_record<friction>(in, options, j, which);
         sum.force += weight * carried.force;
         if (in.rates != nullptr) {
             sum.rate += weight * carried.rate;
@@ -67,9 +70,10 @@ TangentialForce carried_past(const ContactInput& in, const LawOptions& options,
 }
 
 template TangentialForce carried_past<FrictionLaw::cundall_strack>(const ContactInput&, const LawOptions&,
-                                                                   const TangentialConstants&, ContactForce&);
+                                                                   const TangentialConstants&,
+                                                                   Vec3 FrictionRecord::*, ContactForce&);
 template TangentialForce carried_past<FrictionLaw::cundall_strack_2d>(const ContactInput&, const LawOptions&,
                                                                       const TangentialConstants&,
-                                                                      ContactForce&);
+                                                                      Vec3 FrictionRecord::*, ContactForce&);
 
 }  // namespace scree

@@ -15,73 +15,51 @@ Slip slip_motion(const ContactInput& in) {
     return slip;
 }
 
-// Limits the constants as the step asks.
-void cap(const ContactInput& in, TangentialConstants& constants) {
-    const double beta_h = in.step.formula.beta_h;
-    const double most_damping = in.step.cap * in.pair.reduced_mass / beta_h;
-    if (constants.stiffness > most_damping / beta_h) {
-        constants.stiffness = most_damping / beta_h;
-        constants.stiffness_rate.setZero();
-    }
-    if (constants.damping > most_damping) {
-        constants.damping = most_damping;
-        constants.damping_rate.setZero();
-    }
-}
+// The largest friction: the static one from when a contact sticks until it slips, else the kinetic one.
+struct Limits {
+    TangentialLimit held, kinetic;
 
-// Subtracts factor × slip.
-void oppose(const ContactInput& in, const Slip& slip, double factor, const Row9* factor_rate,
-            TangentialForce& friction) {
-    friction.force -= factor * slip.velocity;
-    if (in.rates == nullptr) {
-        return;
+    Limits(const ContactInput& in, bool may_hold, const PressingForce& pressing)
+        : kinetic{in.pair.kinetic_friction * pressing.size, in.pair.kinetic_friction * pressing.rate} {
+        const bool slipping = in.history.age > 0 && in.history.past[0].slipping;
+        if (may_hold && !slipping) {
+            held = {in.pair.friction * pressing.size, in.pair.friction * pressing.rate};
+        } else {
+            held = kinetic;
+        }
     }
-    friction.rate -= factor * slip.rate;
-    if (factor_rate != nullptr) {
-        friction.rate.noalias() -= slip.velocity * *factor_rate;
-    }
-}
+};
 
-// Scales back to the limit; returns true when it had to.
-bool cut_off(const ContactInput& in, const TangentialLimit& limit, TangentialForce& friction) {
-    const double size = friction.force.norm();
-    if (!(size > limit.force)) {
-        return false;
-    }
-    const Vec3 direction = friction.force / size;
-    friction.force = limit.force * direction;
-    if (in.rates != nullptr) {
-        const Row9 along = direction.transpose() * friction.rate;
-        friction.rate = limit.force / size * (friction.rate - direction * along) + direction * limit.rate;
-    }
-    return true;
-}
+// A force and the slip that it works against, taken apart.
+struct Parts {
+    Vec3 torsional, tangential;
+    double torsional_power, tangential_power;
 
-// The spring: past and increment, Eqs. (5.12), (5.15) and (5.17), then the cut-off, Eq. (5.16). What is left
-// is stored.
+    Parts(const Vec3& force, const Vec3& slip, const Vec3& normal)
+        : torsional(force.dot(normal) * normal),
+          tangential(force - torsional),
+          torsional_power(torsional.dot(slip)),
+          tangential_power(tangential.dot(slip)) {}
+};
+
+// The spring: past, increment and cut-off. What is left is stored.
 template <LawParts parts>
-TangentialForce stretch(const ContactInput& in, const LawOptions& options, const Slip& slip,
-                        const TangentialLimit& limit, TangentialConstants& constants, ContactForce& out) {
-    TangentialForce spring = carried_past<parts.friction>(in, options, constants, out);
+TangentialForce spring_force(const ContactInput& in, const LawOptions& options, const Slip& slip,
+                             const Limits& limits, TangentialConstants& constants, ContactForce& out) {
+    TangentialForce spring =
+        carried_past<parts.friction>(in, options, constants, &FrictionRecord::force, out);
     out.trial.normal = in.geometry.normal;
     out.trial.stiffness = constants.stiffness;
     cap(in, constants);
-    const double beta_h = in.step.formula.beta_h;
-    const Row9 rate = beta_h * constants.stiffness_rate;
-    oppose(in, slip, beta_h * constants.stiffness, constants.vary ? &rate : nullptr, spring);
-    out.state = cut_off(in, limit, spring) ? ContactState::slip : ContactState::stick;
+    stretch(in, slip, constants, spring);
+    out.trial.slipping = cut_off(in, limits.held, limits.kinetic, spring);
+    out.state = out.trial.slipping ? ContactState::slip : ContactState::stick;
     out.trial.force = spring.force;
-    out.power.tangential = -spring.force.dot(slip.velocity);
-    out.tangential_energy =
-        constants.stiffness > 0 ? 0.5 * spring.force.squaredNorm() / constants.stiffness : 0;
+    const Parts stored(spring.force, slip.velocity, in.geometry.normal);
+    out.power.tangential = -stored.tangential_power;
+    out.tangential_energy = stored_energy(stored.tangential, constants);
+    out.torsional_energy = stored_energy(stored.torsional, constants);
     return spring;
-}
-
-// The damping, Eq. (5.21), and the cut-off of all together, Eq. (5.29). Returns true when it was cut.
-bool damp(const ContactInput& in, const Slip& slip, const TangentialLimit& limit,
-          const TangentialConstants& constants, TangentialForce& friction) {
-    oppose(in, slip, constants.damping, constants.vary ? &constants.damping_rate : nullptr, friction);
-    return cut_off(in, limit, friction);
 }
 
 // Takes the vector apart again.
@@ -107,39 +85,50 @@ void apply(const ContactInput& in, const TangentialForce& friction, ContactForce
 }  // namespace
 
 template <LawParts parts>
-void add_friction(const ContactInput& in, const Row9& normal_force_rate, const LawOptions& options,
+void add_friction(const ContactInput& in, const PressingForce& pressing, const LawOptions& options,
                   ContactForce& out) {
-    const TangentialLimit limit{in.pair.friction * out.normal_force, in.pair.friction * normal_force_rate};
+    constexpr bool has_spring = parts.friction != FrictionLaw::viscous;
+    const Limits limits(in, has_spring, pressing);
     const Slip slip = slip_motion<parts>(in);
     TangentialConstants constants = tangential_constants(in, options, slip);
     TangentialForce friction;
-    if constexpr (parts.friction == FrictionLaw::viscous) {
-        cap(in, constants);
+    if constexpr (has_spring) {
+        friction = spring_force<parts>(in, options, slip, limits, constants, out);
+    } else {
         friction.rate.setZero();
-        const bool limited = damp(in, slip, limit, constants, friction);
+        cap(in, constants);
+    }
+    damp(in, slip, constants, friction);
+    const TangentialLimit& limit = out.trial.slipping ? limits.kinetic : limits.held;
+    const bool limited = cut_off(in, limit, limit, friction);
+    const Parts acting(friction.force, slip.velocity, in.geometry.normal);
+    out.power.torsion = -acting.torsional_power;
+    if constexpr (has_spring) {
+        out.power.tangential_damping = -acting.tangential_power - out.power.tangential;
+    } else {
         out.state = limited ? ContactState::slip : ContactState::stick;
         out.trial.normal = in.geometry.normal;
         // At the limit it is Coulomb's friction.
-        (limited ? out.power.tangential : out.power.tangential_damping) = -friction.force.dot(slip.velocity);
-    } else {
-        friction = stretch<parts>(in, options, slip, limit, constants, out);
-        damp(in, slip, limit, constants, friction);
-        out.power.tangential_damping = -friction.force.dot(slip.velocity) - out.power.tangential;
+        (limited ? out.power.tangential : out.power.tangential_damping) = -acting.tangential_power;
     }
     apply<parts>(in, friction, out);
 }
 
-template void add_friction<LawParts{FrictionLaw::cundall_strack, true}>(const ContactInput&, const Row9&,
+template void add_friction<LawParts{FrictionLaw::cundall_strack, true}>(const ContactInput&,
+                                                                        const PressingForce&,
                                                                         const LawOptions&, ContactForce&);
-template void add_friction<LawParts{FrictionLaw::cundall_strack, false}>(const ContactInput&, const Row9&,
+template void add_friction<LawParts{FrictionLaw::cundall_strack, false}>(const ContactInput&,
+                                                                         const PressingForce&,
                                                                          const LawOptions&, ContactForce&);
-template void add_friction<LawParts{FrictionLaw::cundall_strack_2d, true}>(const ContactInput&, const Row9&,
+template void add_friction<LawParts{FrictionLaw::cundall_strack_2d, true}>(const ContactInput&,
+                                                                           const PressingForce&,
                                                                            const LawOptions&, ContactForce&);
-template void add_friction<LawParts{FrictionLaw::cundall_strack_2d, false}>(const ContactInput&, const Row9&,
+template void add_friction<LawParts{FrictionLaw::cundall_strack_2d, false}>(const ContactInput&,
+                                                                            const PressingForce&,
                                                                             const LawOptions&, ContactForce&);
-template void add_friction<LawParts{FrictionLaw::viscous, true}>(const ContactInput&, const Row9&,
+template void add_friction<LawParts{FrictionLaw::viscous, true}>(const ContactInput&, const PressingForce&,
                                                                  const LawOptions&, ContactForce&);
-template void add_friction<LawParts{FrictionLaw::viscous, false}>(const ContactInput&, const Row9&,
+template void add_friction<LawParts{FrictionLaw::viscous, false}>(const ContactInput&, const PressingForce&,
                                                                   const LawOptions&, ContactForce&);
 
 }  // namespace scree

@@ -13,6 +13,12 @@ PairMaterial mix(const Material& a, const Material& b) {
     pair.tangential_damping = 0.5 * (a.tangential_damping + b.tangential_damping);
     pair.tangential_ratio = 0.5 * (a.tangential_ratio + b.tangential_ratio);
     pair.torsion = a.torsion && b.torsion;
+    pair.rolling_friction = std::min(a.rolling_friction, b.rolling_friction);
+    pair.cohesion = std::min(a.cohesion, b.cohesion);
+    if (a.kinetic_friction || b.kinetic_friction) {
+        pair.kinetic_friction =
+            std::min(a.kinetic_friction.value_or(a.friction), b.kinetic_friction.value_or(b.friction));
+    }
     return pair;
 }
 
@@ -47,6 +53,9 @@ PairConstants pair_constants(const PairMaterial& material, const BodySize& a, co
     pair.tangential_stiffness = tangential * length;
     pair.tangential_damping = material.tangential_damping * std::sqrt(tangential * mass * length);
     pair.friction = material.friction;
+    pair.kinetic_friction = std::min(material.kinetic_friction.value_or(pair.friction), pair.friction);
+    pair.rolling_friction = material.rolling_friction;
+    pair.cohesion = material.cohesion;
     pair.torsion = material.torsion;
     pair.even_damping = material.even_damping;
     pair.inverse_inertia_a = a.inertia.cwiseInverse();

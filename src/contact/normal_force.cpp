@@ -46,14 +46,8 @@ void add_rocking_damping(const ContactInput& in, double damping, ContactForce& o
     }
 }
 
-}  // namespace
-
-double volume_rate(const ContactGeometry& geometry, const RelativeMotion& motion) {
-    return geometry.area_vector.dot(motion.velocity) + geometry.area_moment().dot(motion.spin);
-}
-
-bool add_normal_force(const ContactInput& in, const LawOptions& options, ContactForce& out,
-                      Row9& normal_force_rate) {
+// Elasticity and damping.
+bool press(const ContactInput& in, const LawOptions& options, ContactForce& out, PressingForce& pressing) {
     const ContactGeometry& g = in.geometry;
     const double elastic = in.pair.elastic * g.volume;
     const double stored = -elastic * g.normal.dot(in.motion.velocity);
@@ -69,14 +63,14 @@ bool add_normal_force(const ContactInput& in, const LawOptions& options, Contact
     if (!(fn > 0)) {
         return false;
     }
-    out.normal_force = fn;
+    out.normal_force = pressing.size = fn;
     out.force += fn * g.normal;
     if (in.rates != nullptr) {
-        normal_force_rate = in.pair.elastic * in.rates->volume + damping.value * in.rates->volume_rate;
+        pressing.rate = in.pair.elastic * in.rates->volume + damping.value * in.rates->volume_rate;
         if (options.normal_damping != NormalDamping::length || in.pair.even_damping) {
-            normal_force_rate += damped * damping.growth;
+            pressing.rate += damped * damping.growth;
         }
-        out.force_rate.noalias() += g.normal * normal_force_rate;
+        out.force_rate.noalias() += g.normal * pressing.rate;
         out.force_rate.noalias() += fn * in.rates->normal;
     }
     if (g.flat_patch && options.damping == DampingPlace::patch) {
@@ -85,6 +79,54 @@ bool add_normal_force(const ContactInput& in, const LawOptions& options, Contact
     out.power.normal = -(out.force.dot(in.motion.velocity) + out.moment.dot(in.motion.spin));
     out.power.normal_damping += out.power.normal;
     return true;
+}
+
+// Of ∫ r×n_A dA about the centroid, seen by B and then turned with it.
+Mat39 area_moment_rate(const ContactInput& in) {
+    const ContactGeometry& g = in.geometry;
+    const MotionRates& rates = *in.rates;
+    const Mat39 centroid = rates.arm_b + cross_matrix(in.arms.b) * rates.turn_b;
+    Mat39 rate = cross_matrix(g.area_vector) * centroid - cross_matrix(g.area_moment()) * rates.turn_b;
+    rate.noalias() += g.boundary.bottomRows<3>() * rates.xi;
+    return rate;
+}
+
+// A suction, the same all over the patch. Where S vanishes it is a force at the centroid.
+void pull(const ContactInput& in, ContactForce& out) {
+    const ContactGeometry& g = in.geometry;
+    const double cohesion = in.pair.cohesion;
+    const double suction = g.centre_line ? 0 : cohesion / g.area;
+    const Vec3 force = -cohesion * g.normal;
+    const Vec3 moment = suction * g.area_moment();
+    out.normal_force -= cohesion;
+    out.force += force;
+    out.moment += moment;
+    out.power.cohesion = -(force.dot(in.motion.velocity) + moment.dot(in.motion.spin));
+    out.cohesive_energy = -cohesion * g.depth;
+    if (in.rates == nullptr) {
+        return;
+    }
+    out.force_rate -= cohesion * in.rates->normal;
+    if (suction > 0) {
+        out.moment_rate += suction * area_moment_rate(in);
+        out.moment_rate.noalias() -= moment * patch_growth(in);
+    }
+}
+
+}  // namespace
+
+double volume_rate(const ContactGeometry& geometry, const RelativeMotion& motion) {
+    return geometry.area_vector.dot(motion.velocity) + geometry.area_moment().dot(motion.spin);
+}
+
+bool add_normal_force(const ContactInput& in, const LawOptions& options, ContactForce& out,
+                      PressingForce& pressing) {
+    const bool pressed = press(in, options, out, pressing);
+    if (in.pair.cohesion > 0) {
+        pull(in, out);
+        return true;
+    }
+    return pressed;
 }
 
 }  // namespace scree

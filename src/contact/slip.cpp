@@ -4,17 +4,35 @@
 
 namespace scree {
 
-Slip sliding(const ContactInput& in) {
-    const Vec3& n = in.geometry.normal;
-    const Vec3& v = in.motion.velocity;
-    const double approach = v.dot(n);
+namespace {
+
+// The part of a relative velocity across n.
+Slip across(const Vec3& n, const Vec3& v, const Mat39* v_rate, const MotionRates* rates) {
+    const double along = v.dot(n);
     Slip slip;
-    slip.velocity = v - approach * n;
-    if (in.rates != nullptr) {
-        slip.rate = in.rates->velocity - approach * in.rates->normal;
-        slip.rate.noalias() -= n * (n.transpose() * in.rates->velocity + v.transpose() * in.rates->normal);
+    slip.velocity = v - along * n;
+    if (rates != nullptr) {
+        slip.rate = *v_rate - along * rates->normal;
+        slip.rate.noalias() -= n * (n.transpose() * *v_rate + v.transpose() * rates->normal);
     }
     return slip;
+}
+
+}  // namespace
+
+Slip sliding(const ContactInput& in) {
+    const Mat39* rate = in.rates != nullptr ? &in.rates->velocity : nullptr;
+    return across(in.geometry.normal, in.motion.velocity, rate, in.rates);
+}
+
+Slip rolling_motion(const ContactInput& in, double radius) {
+    const Mat39* rate = in.rates != nullptr ? &in.rates->spin : nullptr;
+    Slip roll = across(in.geometry.normal, in.motion.spin, rate, in.rates);
+    roll.velocity *= radius;
+    if (in.rates != nullptr) {
+        roll.rate *= radius;
+    }
+    return roll;
 }
 
 Slip sliding_in_plane(const ContactInput& in) {

@@ -23,11 +23,32 @@ Slip sliding_in_plane(const ContactInput& in);
 /// Adds the turning about n over the contact's lever.
 void add_spin(const ContactInput& in, Slip& slip);
 
-/// The stored past as the step's formula has it, each record straight from its own plane to the present one.
-/// Where the stiffness has fallen since, the force has fallen with it, so that no energy is made; where it
-/// has grown, the force stays. Notes in `out` a direction that was lost.
+/// The relative turning across n, over a radius [m].
+Slip rolling_motion(const ContactInput& in, double radius);
+
+/// A stored vector of the past as the step's formula has it, each straight from its own plane to the present
+/// one. Where the stiffness has fallen since, the force has fallen with it, so that no energy is made; where
+/// it has grown, the force stays. Notes in `out` a direction that was lost.
 template <FrictionLaw friction>
 TangentialForce carried_past(const ContactInput& in, const LawOptions& options,
-                             const TangentialConstants& constants, ContactForce& out);
+                             const TangentialConstants& constants, Vec3 FrictionRecord::*which,
+                             ContactForce& out);
+
+/// Limits the constants as the step asks.
+void cap(const ContactInput& in, TangentialConstants& constants);
+
+/// Adds the increment −βh kt s, Eqs. (5.12), (5.15) and (5.17).
+void stretch(const ContactInput& in, const Slip& slip, const TangentialConstants& constants,
+             TangentialForce& spring);
+/// Adds the damping −γt √(kt M) s, Eq. (5.21).
+void damp(const ContactInput& in, const Slip& slip, const TangentialConstants& constants,
+          TangentialForce& force);
+
+/// Eqs. (5.16) and (5.29): what is larger than `most` is scaled back to `left`. Returns true when it was.
+bool cut_off(const ContactInput& in, const TangentialLimit& most, const TangentialLimit& left,
+             TangentialForce& force);
+
+/// What the spring holds [J].
+double stored_energy(const Vec3& force, const TangentialConstants& constants);
 
 }  // namespace scree

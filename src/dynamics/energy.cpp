@@ -19,6 +19,9 @@ Accumulated& Accumulated::add(double factor, const Accumulated& other) {
     normal += factor * other.normal;
     tangential += factor * other.tangential;
     tangential_damping += factor * other.tangential_damping;
+    torsion += factor * other.torsion;
+    rolling += factor * other.rolling;
+    cohesion += factor * other.cohesion;
     applied += factor * other.applied;
     return *this;
 }
@@ -47,6 +50,9 @@ Accumulated accumulation_rates(const System& system, const StepProblem& problem)
         rates.normal += law.power.normal;
         rates.tangential += law.power.tangential;
         rates.tangential_damping += law.power.tangential_damping;
+        rates.torsion += law.power.torsion;
+        rates.rolling += law.power.rolling;
+        rates.cohesion += law.power.cohesion;
         if (law.state == ContactState::open) {
             continue;
         }
@@ -101,15 +107,20 @@ EnergyLedger energy_ledger(const System& system, const Accumulated& sums, double
     for (const Contact& contact : system.contacts) {
         ledger.normal_elastic += contact.history.normal_energy;
         ledger.tangential_elastic += contact.history.tangential_energy;
+        ledger.torsional_elastic += contact.history.torsional_energy;
+        ledger.rolling_elastic += contact.history.rolling_energy;
+        ledger.cohesive += contact.history.cohesive_energy;
     }
     ledger.normal_elastic += sums.normal_elastic;
     // What went in and is stored no more.
     ledger.lost_normal_damping = sums.normal - ledger.normal_elastic;
     ledger.lost_tangential_damping = sums.tangential_damping;
     ledger.lost_friction = sums.tangential - ledger.tangential_elastic;
+    ledger.lost_torsion = sums.torsion - ledger.torsional_elastic;
+    ledger.lost_rolling = sums.rolling - ledger.rolling_elastic;
+    ledger.lost_cohesion = sums.cohesion - ledger.cohesive;
     ledger.work_applied = sums.applied;
-    ledger.residual = ledger.held() + ledger.lost_normal_damping + ledger.lost_tangential_damping +
-                      ledger.lost_friction - ledger.work_applied - start;
+    ledger.residual = ledger.held() + ledger.lost() - ledger.work_applied - start;
     return ledger;
 }
 
@@ -117,13 +128,16 @@ void EnergyAccount::open(const System& system) {
     const EnergyLedger now = energy_ledger(system, sums_, start_);
     if (started_) {
         sums_.applied += now.held() - ledger_.held();
-        sums_.normal += now.normal_elastic - ledger_.normal_elastic;
-        sums_.tangential += now.tangential_elastic - ledger_.tangential_elastic;
     } else {
         start_ = now.held();
-        sums_.normal = now.normal_elastic;
         started_ = true;
     }
+    // What contacts came to hold from outside is no loss when they lose it, and none that they have not.
+    sums_.normal += now.normal_elastic - ledger_.normal_elastic;
+    sums_.tangential += now.tangential_elastic - ledger_.tangential_elastic;
+    sums_.torsion += now.torsional_elastic - ledger_.torsional_elastic;
+    sums_.rolling += now.rolling_elastic - ledger_.rolling_elastic;
+    sums_.cohesion += now.cohesive - ledger_.cohesive;
     ledger_ = energy_ledger(system, sums_, start_);
 }
 

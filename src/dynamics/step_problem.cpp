@@ -155,11 +155,11 @@ void StepProblem::fill_held_rows(std::size_t b, const Restraint& restraint) {
 }
 
 bool StepProblem::states_changed() const {
-    if (factorized_states_.size() != results_.size()) {
+    if (factorized_regimes_.size() != results_.size()) {
         return true;
     }
     for (std::size_t i = 0; i < results_.size(); ++i) {
-        if (results_[i].law.state != factorized_states_[i]) {
+        if (results_[i].law.regime() != factorized_regimes_[i]) {
             return true;
         }
     }
@@ -167,9 +167,9 @@ bool StepProblem::states_changed() const {
 }
 
 bool StepProblem::factorize() {
-    factorized_states_.resize(results_.size());
+    factorized_regimes_.resize(results_.size());
     for (std::size_t i = 0; i < results_.size(); ++i) {
-        factorized_states_[i] = results_[i].law.state;
+        factorized_regimes_[i] = results_[i].law.regime();
     }
     {
         const Stopwatch watch(costs_.jacobian);
@@ -179,9 +179,9 @@ bool StepProblem::factorize() {
     return jacobian_.factorize();
 }
 
-void StepProblem::solve(Eigen::VectorXd& x) {
+bool StepProblem::solve(Eigen::VectorXd& x) {
     const Stopwatch watch(costs_.solve);
-    jacobian_.solve(x);
+    return jacobian_.solve(x);
 }
 
 void StepProblem::solve_inertia(Eigen::VectorXd& x) const {

@@ -1,4 +1,4 @@
-#include "isolated.hpp"
+#include <scree/mesh_io/isolated.hpp>
 
 #include <fcntl.h>
 #include <poll.h>
@@ -123,7 +123,7 @@ bool read_all(int descriptor, std::chrono::seconds longest, std::string& bytes) 
 }
 
 /// The end of the copy in words; empty when it came to its own.
-std::string wait_for(pid_t copy) {
+std::string wait_for(pid_t copy, const std::string& worker) {
     int status = 0;
     while (::waitpid(copy, &status, 0) < 0) {
         if (errno != EINTR) {
@@ -132,9 +132,9 @@ std::string wait_for(pid_t copy) {
     }
     if (WIFSIGNALED(status)) {
         return WTERMSIG(status) == SIGXCPU || WTERMSIG(status) == SIGKILL ? "it takes too long"
-                                                                          : "the importer crashes on it";
+                                                                          : worker + " crashes on it";
     }
-    return WEXITSTATUS(status) == finished ? "" : "the importer fails on it";
+    return WEXITSTATUS(status) == finished ? "" : worker + " fails on it";
 }
 
 }  // namespace
@@ -159,7 +159,7 @@ std::string run_isolated(const std::function<std::string()>& work, const Isolati
     if (!in_time) {
         ::kill(copy, SIGKILL);
     }
-    if (const std::string failure = wait_for(copy); !failure.empty()) {
+    if (const std::string failure = wait_for(copy, limits.worker); !failure.empty()) {
         throw IsolationError(failure);
     }
     return result;

@@ -3,8 +3,9 @@
 #include <stdexcept>
 #include <string>
 
+#include <scree/mesh_io/isolated.hpp>
+
 #include "guarded_files.hpp"
-#include "isolated.hpp"
 #include "packed_mesh.hpp"
 #include "read_mesh.hpp"
 

@@ -23,6 +23,10 @@ BulletEngine::BulletEngine(const SceneDescription& scene) : scene_(scene) {
     world_.setGravity(to_bullet(scene.gravity));
     world_.getSolverInfo().m_numIterations = scene.stepping.iterations;
     world_.getDispatchInfo().m_deterministicOverlappingPairs = true;
+    world_.getDispatchInfo().m_enableSatConvex = scene.stepping.separating_axis;
+    if (scene.stepping.friction_directions == 2) {
+        world_.getSolverInfo().m_solverMode |= SOLVER_USE_2_FRICTION_DIRECTIONS;
+    }
 }
 
 BulletEngine::~BulletEngine() {
@@ -35,6 +39,10 @@ void BulletEngine::add(SimulationBody& body, const MaterialDescription& /*materi
     btRigidBody& rigid = *body.rigid;
     rigid.setUserIndex(static_cast<int>(members_.size()));
     rigid.setCollisionShape(body.solid.native.get());
+    if (auto* faces = dynamic_cast<btPolyhedralConvexShape*>(body.solid.native.get());
+        faces != nullptr && scene_.stepping.separating_axis && faces->getConvexPolyhedron() == nullptr) {
+        faces->initializePolyhedralFeatures();
+    }
     Member& member = members_.emplace_back();
     member.rigid = &rigid;
     member.material = &scene_.materials.find(body.material)->first;

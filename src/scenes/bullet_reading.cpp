@@ -31,7 +31,8 @@ bool touches(const btPersistentManifold& manifold) {
 /// On the first body of the manifold [N s].
 Vec3 impulse(const btManifoldPoint& point) {
     return to_eigen(point.m_appliedImpulse * point.m_normalWorldOnB +
-                    point.m_appliedImpulseLateral1 * point.m_lateralFrictionDir1);
+                    point.m_appliedImpulseLateral1 * point.m_lateralFrictionDir1 +
+                    point.m_appliedImpulseLateral2 * point.m_lateralFrictionDir2);
 }
 
 Vec3 velocity_at(const btCollisionObject& object, const btVector3& point) {

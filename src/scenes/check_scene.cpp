@@ -4,6 +4,7 @@
 
 #include "body_names.hpp"
 #include "json_text.hpp"
+#include "materials.hpp"
 #include "plane_motion.hpp"
 
 namespace scree {
@@ -21,6 +22,15 @@ void require_name(const Named& named, const std::string& name, const std::string
     }
 }
 
+void check_kinetic_friction(const SceneDescription& scene, std::size_t pair) {
+    const PairDescription& entry = scene.pairs[pair];
+    const double friction = pair_material(scene, entry.materials[0], entry.materials[1]).friction;
+    if (entry.kinetic_friction.value_or(0) > friction) {
+        throw SceneError("pairs." + std::to_string(pair) + ".kinetic_friction",
+                         shown(*entry.kinetic_friction), "at most the pair's friction, " + shown(friction));
+    }
+}
+
 void check_pairs(const SceneDescription& scene) {
     std::set<std::set<std::string>> seen;
     for (std::size_t i = 0; i < scene.pairs.size(); ++i) {
@@ -31,6 +41,7 @@ void check_pairs(const SceneDescription& scene) {
         if (!seen.insert({a, b}).second) {
             throw SceneError(place, in_quotes(a) + " and " + in_quotes(b) + " again", "one entry a pair");
         }
+        check_kinetic_friction(scene, i);
     }
 }
 

@@ -18,6 +18,15 @@ void add_constants(const SceneDescription& scene, const PairMaterial& pair, Line
     line << "Y " << pair.youngs_modulus << " Pa, friction " << pair.friction << ", damping "
          << pair.normal_damping << " normal, " << pair.tangential_damping << " tangential, Yt/Y "
          << pair.tangential_ratio << ", torsion " << (pair.torsion ? "on" : "off");
+    if (pair.kinetic_friction) {
+        line << ", kinetic friction " << *pair.kinetic_friction;
+    }
+    if (pair.rolling_friction > 0) {
+        line << ", rolling friction " << pair.rolling_friction;
+    }
+    if (pair.cohesion > 0) {
+        line << ", cohesion " << pair.cohesion << " N";
+    }
 }
 
 void add_materials(const SceneDescription& scene, Lines& lines) {
@@ -59,7 +68,9 @@ void add_stepping(const SceneDescription& scene, Lines& lines) {
         line << ", adaptive step";
     }
     if (stepping.method == SteppingMethod::bullet) {
-        line << " at most, " << stepping.iterations << " iterations";
+        line << " at most, " << stepping.iterations << " iterations, "
+             << (stepping.separating_axis ? "separating axes" : "GJK") << ", friction directions "
+             << stepping.friction_directions;
     }
     if (stepping.method == SteppingMethod::bdf) {
         line << ", orders 1 to " << stepping.max_order << ", rtol " << stepping.rtol << ", atol "

@@ -80,11 +80,25 @@ constexpr Feature features[] = {
     {"friction", has_friction},
     {"plane_friction", has_friction_law<FrictionLaw::cundall_strack_2d>},
     {"viscous_friction", has_friction_law<FrictionLaw::viscous>},
+    {"kinetic_friction",
+     [](const S& s) {
+         const auto differs = [](const auto& entry) { return entry.second.kinetic_friction.has_value(); };
+         const auto pair_differs = [](const PairDescription& p) { return p.kinetic_friction.has_value(); };
+         return by_law(s) && has_friction(s) &&
+                (std::any_of(s.materials.begin(), s.materials.end(), differs) ||
+                 std::any_of(s.pairs.begin(), s.pairs.end(), pair_differs));
+     }},
     {"torsion",
      [](const S& s) {
          return by_law(s) && has_friction(s) && s.law.friction != FrictionLaw::cundall_strack_2d &&
                 has_polygonal_patches(s) && anywhere<&Material::torsion, &PairDescription::torsion>(s);
      }},
+    {"rolling_friction",
+     [](const S& s) {
+         return by_law(s) && anywhere<&Material::rolling_friction, &PairDescription::rolling_friction>(s);
+     }},
+    {"cohesion",
+     [](const S& s) { return by_law(s) && anywhere<&Material::cohesion, &PairDescription::cohesion>(s); }},
     {"normal_damping", has_normal_damping},
     {"rocking_damping",
      [](const S& s) {

@@ -14,7 +14,12 @@ void override_named(const PairDescription& entry, PairMaterial& pair) {
     pair.normal_damping = entry.normal_damping.value_or(pair.normal_damping);
     pair.tangential_damping = entry.tangential_damping.value_or(pair.tangential_damping);
     pair.tangential_ratio = entry.tangential_ratio.value_or(pair.tangential_ratio);
+    pair.rolling_friction = entry.rolling_friction.value_or(pair.rolling_friction);
+    pair.cohesion = entry.cohesion.value_or(pair.cohesion);
     pair.torsion = entry.torsion.value_or(pair.torsion);
+    if (entry.kinetic_friction) {
+        pair.kinetic_friction = entry.kinetic_friction;
+    }
 }
 
 }  // namespace

@@ -19,13 +19,7 @@ constexpr std::string_view above_zero = ">0";
 
 constexpr Absent absent[] = {
     {"materials.*.torsion", "patch"},
-    {"materials.*.cohesion", any},
-    {"materials.*.rolling_friction", any},
-    {"materials.*.kinetic_friction", any},
     {"pairs.*.torsion", "patch"},
-    {"pairs.*.cohesion", any},
-    {"pairs.*.rolling_friction", any},
-    {"pairs.*.kinetic_friction", any},
     {"shapes.*.parts", "decompose"},
     {"shapes.*.parts", several},
     {"law.normal", "energy"},

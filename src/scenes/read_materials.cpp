@@ -54,6 +54,9 @@ constexpr Field<P> pair_fields[] = {
 
 void read_material(const Node& node, MaterialDescription& material) {
     read_fields(node, material_fields, material);
+    if (material.kinetic_friction && *material.kinetic_friction > material.friction) {
+        Node(node, "kinetic_friction").refuse("at most the friction, " + shown(material.friction));
+    }
 }
 
 void read_pair(const Node& node, PairDescription& pair) {

@@ -34,6 +34,13 @@ int iterations(const Node& node) {
     return node.value().get<int>();
 }
 
+int friction_directions(const Node& node) {
+    if (!node.value().is_number_unsigned() || node.value() < 1U || node.value() > 2U) {
+        node.refuse("1 or 2");
+    }
+    return node.value().get<int>();
+}
+
 void read_step(const Node& node, SteppingDescription& stepping) {
     if (node.value() == "adaptive") {
         stepping.step.reset();
@@ -54,6 +61,8 @@ constexpr Field<S> stepping_fields[] = {
     {"solver", into<&S::solver, choice<solver_choices>>},
     {"sleep", into<&S::sleep, flag>},
     {"iterations", into<&S::iterations, iterations>},
+    {"separating_axis", into<&S::separating_axis, flag>},
+    {"friction_directions", into<&S::friction_directions, friction_directions>},
 };
 
 using O = OutputDescription;
@@ -83,8 +92,10 @@ void read_stepping(const Node& node, SteppingDescription& stepping) {
     if (stepping.method == SteppingMethod::bullet && !stepping.step) {
         stepping.step = default_bullet_step;
     }
-    if (stepping.method != SteppingMethod::bullet && node.value().contains("iterations")) {
-        Node(node, "iterations").refuse("it only with \"method\": \"bullet\"");
+    for (const char* key : {"iterations", "separating_axis", "friction_directions"}) {
+        if (stepping.method != SteppingMethod::bullet && node.value().contains(key)) {
+            Node(node, key).refuse("it only with \"method\": \"bullet\"");
+        }
     }
 }
 

@@ -140,6 +140,7 @@ Material automatic_material(const UnnamedBody& body, const BodyShape& shape, dou
     }
     material.density = body.mass / shape.volume;
     const double length = characteristic_length({body.mass, body.radius}, {});
+    material.rolling_friction = std::max(surface.rolling_friction, 0.0) / (0.5 * length);
     if (surface.stiffness < infinity) {
         material.youngs_modulus = surface.stiffness / length;
         material.normal_damping = damping_of(surface.damping, surface.stiffness, body.mass);
@@ -157,6 +158,8 @@ PairMaterial combined_by_bullet(PairMaterial pair, const btCollisionObject& obje
                                 const btCollisionObject& object_b, const BodySize& b) {
     pair.even_damping = true;  // a ball, too, is to bounce as its restitution says
     pair.friction = std::max(0.0, gCalculateCombinedFrictionCallback(&object_a, &object_b));
+    const double rolling = gCalculateCombinedRollingFrictionCallback(&object_a, &object_b);
+    pair.rolling_friction = std::max(0.0, rolling) / (0.5 * characteristic_length(a, b));
     if (has_stiffness(object_a) || has_stiffness(object_b)) {
         const double stiffness = gCalculateCombinedContactStiffnessCallback(&object_a, &object_b);
         const double damping = gCalculateCombinedContactDampingCallback(&object_a, &object_b);

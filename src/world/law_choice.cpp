@@ -4,26 +4,32 @@ namespace scree {
 
 namespace {
 
+template <LawParts parts>
+std::unique_ptr<ContactForces> law_of(const LawOptions& options) {
+    return std::make_unique<ForcesOf<BuiltInLaw<parts>>>(BuiltInLaw<parts>{options});
+}
+
 template <FrictionLaw friction>
-std::unique_ptr<ContactForces> with_friction(bool torsion, const LawOptions& options) {
-    using WithTorsion = BuiltInLaw<LawParts{friction, true}>;
-    using Without = BuiltInLaw<LawParts{friction, false}>;
-    if (torsion) {
-        return std::make_unique<ForcesOf<WithTorsion>>(WithTorsion{options});
+std::unique_ptr<ContactForces> with_friction(LawParts parts, const LawOptions& options) {
+    if (parts.torsion) {
+        return parts.rolling ? law_of<LawParts{friction, true, true}>(options)
+                             : law_of<LawParts{friction, true, false}>(options);
     }
-    return std::make_unique<ForcesOf<Without>>(Without{options});
+    return parts.rolling ? law_of<LawParts{friction, false, true}>(options)
+                         : law_of<LawParts{friction, false, false}>(options);
 }
 
 std::unique_ptr<ContactForces> built_in_law(LawParts parts, const LawOptions& options) {
     switch (parts.friction) {
         case FrictionLaw::cundall_strack:
-            return with_friction<FrictionLaw::cundall_strack>(parts.torsion, options);
+            return with_friction<FrictionLaw::cundall_strack>(parts, options);
         case FrictionLaw::cundall_strack_2d:
-            return with_friction<FrictionLaw::cundall_strack_2d>(parts.torsion, options);
+            return with_friction<FrictionLaw::cundall_strack_2d>(parts, options);
         case FrictionLaw::viscous:
-            return with_friction<FrictionLaw::viscous>(parts.torsion, options);
+            return with_friction<FrictionLaw::viscous>(parts, options);
         default:
-            return with_friction<FrictionLaw::none>(false, options);
+            return parts.rolling ? law_of<LawParts{FrictionLaw::none, false, true}>(options)
+                                 : law_of<LawParts{FrictionLaw::none, false, false}>(options);
     }
 }
 
@@ -73,20 +79,21 @@ void LawChoice::evaluate(std::span<const Contact> contacts, std::span<const Tria
 }
 
 LawParts LawChoice::needed(std::span<const Contact> contacts) const {
-    LawParts parts{FrictionLaw::none, false};
+    LawParts parts{FrictionLaw::none, false, false};
     for (const Contact& contact : contacts) {
         if (friction_ != FrictionLaw::none && contact.pair.friction > 0) {
             parts.friction = friction_;
             // Nothing turns about a normal of the plane in which it moves.
             parts.torsion |= may_twist(contact) && friction_ != FrictionLaw::cundall_strack_2d;
         }
+        parts.rolling |= contact.pair.rolling_friction > 0;
     }
     return parts;
 }
 
 void LawChoice::choose(std::span<const Contact> contacts) {
     const LawParts parts = needed(contacts);
-    if (parts.friction != parts_.friction || parts.torsion != parts_.torsion) {
+    if (parts != parts_) {
         parts_ = parts;
         built_in_ = built_in_law(parts_, options_);
     }

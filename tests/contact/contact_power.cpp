@@ -9,7 +9,8 @@ using namespace scree::test;
 namespace {
 
 double sum(const ContactPower& power) {
-    return power.normal_elastic + power.normal_damping + power.tangential + power.tangential_damping;
+    return power.normal_elastic + power.normal_damping + power.tangential + power.tangential_damping +
+           power.torsion + power.rolling;
 }
 
 double work_on_bodies(const ContactCase& c, const ContactForce& out) {
@@ -49,12 +50,20 @@ TEST_CASE("Damping only takes energy: on the ground at any motion, tension cut o
         const ContactForce out = c.force();
         CHECK(out.power.normal_damping >= 0);
         CHECK(out.power.tangential >= 0);
+        CHECK(out.power.torsion >= 0);
         CHECK(out.power.tangential_damping >= -1e-12 * out.power.tangential);
     }
 }
 
-TEST_CASE("The stored tangential energy is ½ ‖f‖²/(Yt Lc), torsion included", "[contact]") {
+TEST_CASE("The stored energies are ½ f²/(Yt Lc), of the tangential, the torsional and the rolling spring",
+          "[contact]") {
     ContactCase c;
-    c.history.push({{0.3, 0.1, 0.2}, Vec3::UnitZ()});
-    CHECK(c.force().tangential_energy == Approx(0.5 * 0.14 / c.pair.tangential_stiffness).epsilon(1e-12));
+    c.pair.rolling_friction = 0.1;
+    FrictionRecord record{.force = {0.3, 0.1, 0.2}};
+    record.rolling = {0, 0.5, 0};
+    c.history.push(record);
+    const ContactForce out = c.force_by(FrictionLaw::cundall_strack);
+    CHECK(out.tangential_energy == Approx(0.5 * 0.10 / c.pair.tangential_stiffness).epsilon(1e-12));
+    CHECK(out.torsional_energy == Approx(0.5 * 0.04 / c.pair.tangential_stiffness).epsilon(1e-12));
+    CHECK(out.rolling_energy == Approx(0.5 * 0.25 / c.pair.tangential_stiffness).epsilon(1e-12));
 }

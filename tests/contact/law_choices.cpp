@@ -29,7 +29,8 @@ TEST_CASE("Under every choice exchanging the bodies flips force, moment and reco
             REQUIRE(on_a.state == on_b.state);
             worst = std::max({worst, deviation(on_b.force, -on_a.force, size),
                               deviation(on_b.moment, -on_a.moment, 0.1 * size),
-                              deviation(on_b.trial.force, -on_a.trial.force, size)});
+                              deviation(on_b.trial.force, -on_a.trial.force, size),
+                              deviation(on_b.trial.rolling, -on_a.trial.rolling, size)});
         }
         CHECK(worst < rounding);
     }
@@ -44,8 +45,8 @@ TEST_CASE("Under every choice the power adds up to what the contact takes from t
             const ContactCase c = random_case(random, law);
             const ContactForce out = c.force_by(law.friction);
             const ContactPower& power = out.power;
-            const double sum =
-                power.normal_elastic + power.normal_damping + power.tangential + power.tangential_damping;
+            const double sum = power.normal_elastic + power.normal_damping + power.tangential +
+                               power.tangential_damping + power.torsion + power.rolling + power.cohesion;
             const double work = out.force.dot(c.motion.velocity) + out.moment.dot(c.motion.spin);
             const double size = (c.normal_force() + out.normal_force) *
                                 (c.motion.velocity.norm() + c.geometry.lever * c.motion.spin.norm());
@@ -65,9 +66,16 @@ TEST_CASE("Under every choice nothing exceeds the limit surface, stored or actin
             const ContactForce out = c.force_by(law.friction);
             const Vec3& n = c.geometry.normal;
             const Vec3 sideways = out.force - out.force.dot(n) * n;
-            const double limit = c.pair.friction * out.normal_force * (1 + 1e-13);
+            const double pressing = out.normal_force + c.pair.cohesion;
+            const double limit = c.pair.friction * pressing * (1 + 1e-13) + 1e-15 * out.force.norm();
+            const double most = c.pair.rolling_friction * pressing * (1 + 1e-13);
             CHECK(out.trial.force.norm() <= limit);
-            CHECK(std::hypot(sideways.norm(), out.moment.dot(n) / c.geometry.lever) <= limit);
+            CHECK(out.trial.rolling.norm() <= most);
+            if (c.pair.cohesion == 0) {  // which has a moment of its own
+                const double turning = (out.moment - out.moment.dot(n) * n).norm();
+                CHECK(std::hypot(sideways.norm(), out.moment.dot(n) / c.geometry.lever) <= limit);
+                CHECK(turning <= 0.5 * c.pair.length * most + 1e-15 * out.moment.norm());
+            }
         }
     }
 }

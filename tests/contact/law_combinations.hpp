@@ -71,6 +71,16 @@ inline ContactCase random_case(Random& random, const LawCombination& law) {
     for (FrictionRecord& record : c.history.past) {
         record.force *= 0.5;
     }
+    if (random.uniform() < 0.5) {
+        c.pair.rolling_friction = 0.3;
+        const double moment = 0.3 * c.normal_force();
+        for (FrictionRecord& record : c.history.past) {
+            record.rolling = moment * record.normal.cross(random.vector());
+        }
+    }
+    c.pair.cohesion = random.uniform() < 0.3 ? 0.5 * c.normal_force() : 0;
+    c.pair.kinetic_friction = random.uniform(0.5, 1) * c.pair.friction;
+    c.history.past[0].slipping = random.uniform() < 0.5;
     return c;
 }
 

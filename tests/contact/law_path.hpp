@@ -5,8 +5,8 @@
 namespace scree::test {
 
 /// A smooth way for what a law sees to depend on nine unknowns, with random rates: V, S, n, the relative
-/// motion, the arms and the turns of the bodies. The patch's moments stay, and so does r̄, whose change the
-/// law's derivative leaves out. n need not follow S: a law must not ask.
+/// motion, the arms and the turns of the bodies, and ∫ r×n_A dA with them. The patch's other moments stay,
+/// and so does r̄, whose change the law's derivative leaves out. n need not follow S: a law must not ask.
 class LawPath {
   public:
     LawPath(Random& random, const ContactCase& c, bool geometry_moves = true) {
@@ -30,6 +30,13 @@ class LawPath {
         const double motion = geometry_moves && most > 0 ? 0.3 * c.geometry.area / most : 0;
         xi_ << matrix(motion), matrix(motion);
         area_vector_ = by_xi * xi_;
+        const Mat39 centroid = arm_b_ + cross_matrix(c.arms.b) * turn_b_;
+        area_moment_ = c.geometry.boundary.bottomRows<3>() * xi_;
+        area_moment_ += cross_matrix(c.geometry.area_vector) * centroid;
+        area_moment_ -= cross_matrix(c.geometry.area_moment()) * turn_b_;
+        if (!geometry_moves) {
+            area_moment_.setZero();
+        }
     }
 
     [[nodiscard]] ContactCase at(const ContactCase& start, const Eigen::VectorXd& x) const {
@@ -37,6 +44,7 @@ class LawPath {
         c.geometry.volume += volume_ * x;
         c.geometry.area_vector += area_vector_ * x;
         c.geometry.area = c.geometry.area_vector.norm();
+        c.geometry.first_moment -= 0.5 * cross_matrix(area_moment_ * x);
         c.geometry.normal = (start.geometry.normal + normal_ * x).normalized();
         c.motion.velocity += velocity_ * x;
         c.motion.spin += spin_ * x;
@@ -56,9 +64,9 @@ class LawPath {
         MotionRates rates;
         rates.xi = xi_;
         rates.volume = volume_;
-        rates.volume_rate = c.geometry.area_vector.transpose() * velocity_ +
-                            c.geometry.area_moment().transpose() * spin_ +
-                            c.motion.velocity.transpose() * area_vector_;
+        rates.volume_rate =
+            c.geometry.area_vector.transpose() * velocity_ + c.geometry.area_moment().transpose() * spin_ +
+            c.motion.velocity.transpose() * area_vector_ + c.motion.spin.transpose() * area_moment_;
         rates.normal = (Mat3::Identity() - n * n.transpose()) * normal_;
         rates.velocity = velocity_;
         rates.spin = spin_;
@@ -72,7 +80,7 @@ class LawPath {
   private:
     Row9 volume_;
     Mat69 xi_;
-    Mat39 area_vector_, normal_, velocity_, spin_, turn_a_, turn_b_, arm_a_, arm_b_;
+    Mat39 area_vector_, area_moment_, normal_, velocity_, spin_, turn_a_, turn_b_, arm_a_, arm_b_;
 };
 
 }  // namespace scree::test

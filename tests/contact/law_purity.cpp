@@ -19,8 +19,12 @@ std::vector<double> numbers(const ContactForce& out) {
                             out.power.normal_damping,
                             out.power.tangential,
                             out.power.tangential_damping,
+                            out.power.torsion,
+                            out.power.rolling,
                             out.normal_energy,
-                            out.tangential_energy};
+                            out.tangential_energy,
+                            out.torsional_energy,
+                            out.rolling_energy};
     const auto add = [&](const auto& m) { all.insert(all.end(), m.data(), m.data() + m.size()); };
     add(out.force);
     add(out.moment);

@@ -17,6 +17,7 @@ ContactCase turned_case(const ContactCase& c, const Quat& turn) {
     other.motion = {turn * c.motion.velocity, turn * c.motion.spin};
     for (FrictionRecord& record : other.history.past) {
         record.force = turn * record.force;
+        record.rolling = turn * record.rolling;
         record.normal = turn * record.normal;
     }
     other.arms = {turn * c.arms.a, turn * c.arms.b, turn * c.arms.frame_a, turn * c.arms.frame_b};

@@ -13,6 +13,7 @@ inline ContactCase seen_from_b(const ContactCase& c) {
     other.motion = {-c.motion.velocity, -c.motion.spin};
     for (FrictionRecord& record : other.history.past) {
         record.force = -record.force;
+        record.rolling = -record.rolling;
         record.normal = -record.normal;
     }
     std::swap(other.turn_a, other.turn_b);

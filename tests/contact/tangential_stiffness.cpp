@@ -107,10 +107,10 @@ TEST_CASE("No energy is made by a patch that grows and shrinks while its spring 
         c.motion.velocity = speed * random.vector();
         c.motion.spin = speed / c.geometry.lever * random.vector();
         const ContactForce out = c.force();
-        const double work = c.beta_h * out.power.tangential;
-        const double gained = out.tangential_energy - stored;
-        CHECK(gained <= work + 1e-12 * (std::abs(work) + stored));
-        stored = out.tangential_energy;
+        const double work = c.beta_h * (out.power.tangential + out.power.torsion);
+        const double energy = out.tangential_energy + out.torsional_energy;
+        CHECK(energy - stored <= work + 1e-12 * (std::abs(work) + stored));
+        stored = energy;
         taken += work;
         c.history.push(out.trial);
     }

@@ -23,22 +23,23 @@ StepCase chain(Random& random, int boxes) {
     return step;
 }
 
-// The solution for a random right side against Eigen's dense one for the whole matrix.
-double solution_error(StepProblem& problem, Random& random, std::size_t bodies) {
+// What the solution for a random right side leaves of it, relative to it.
+double unsolved(StepProblem& problem, Random& random, std::size_t bodies) {
     Eigen::VectorXd right(static_cast<Eigen::Index>(6 * bodies));
     for (double& value : right) {
         value = random.uniform(-1, 1);
     }
-    const Eigen::MatrixXd matrix = problem.jacobian().dense(bodies);
-    const Eigen::VectorXd expected = matrix.partialPivLu().solve(right);
     Eigen::VectorXd x = right;
-    problem.solve(x);
-    return (x - expected).norm() / expected.norm();
+    REQUIRE(problem.solve(x));
+    return (problem.jacobian().dense() * x - right).norm() / right.norm();
 }
+
+// The accuracy of the iteration; the boxes' rows weigh differently in mass and in moment of inertia.
+constexpr double accurate = 1e-5;
 
 }  // namespace
 
-TEST_CASE("Few bodies by dense and many by sparse factorisation give the whole matrix's solution",
+TEST_CASE("Few bodies by a dense factorisation and many by iteration: both solve the whole matrix",
           "[dynamics]") {
     Random random(241);
     for (const int boxes : {1, 2, 5, 8, 9, 12, 30}) {
@@ -47,9 +48,7 @@ TEST_CASE("Few bodies by dense and many by sparse factorisation give the whole m
         StepProblem problem(step.system, forces);
         step.begin(problem, 1e-3);
         REQUIRE(problem.factorize());
-        CHECK(problem.jacobian().islands().count() == 1);
-        // Rounding times the condition of a stiff chain's matrix.
-        CHECK(solution_error(problem, random, static_cast<std::size_t>(boxes)) < 1e-10);
+        CHECK(unsolved(problem, random, static_cast<std::size_t>(boxes)) < (boxes <= 8 ? 1e-11 : accurate));
     }
 }
 
@@ -64,16 +63,15 @@ TEST_CASE("Refactorising with the same and with other contacts stays right", "[d
     step.u *= 0.5;
     problem.evaluate(step.u, Detail::derivative);
     REQUIRE(problem.factorize());
-    CHECK(solution_error(problem, random, 12) < 1e-10);
-    // The seventh box flies off upwards with all above it: two islands of seven and five.
+    CHECK(unsolved(problem, random, 12) < accurate);
+    // The seventh box flies off upwards with all above it.
     for (Eigen::Index b = 7; b < 12; ++b) {
         step.u(6 * b + 2) += 1;
     }
     problem.evaluate(step.u, Detail::derivative);
     CHECK(problem.states_changed());
     REQUIRE(problem.factorize());
-    CHECK(problem.jacobian().islands().count() == 2);
-    CHECK(solution_error(problem, random, 12) < 1e-10);
+    CHECK(unsolved(problem, random, 12) < accurate);
     // And comes back.
     step.begin(problem, 1e-3);
     for (Eigen::Index b = 7; b < 12; ++b) {
@@ -81,8 +79,7 @@ TEST_CASE("Refactorising with the same and with other contacts stays right", "[d
     }
     problem.evaluate(step.u, Detail::derivative);
     REQUIRE(problem.factorize());
-    CHECK(problem.jacobian().islands().count() == 1);
-    CHECK(solution_error(problem, random, 12) < 1e-10);
+    CHECK(unsolved(problem, random, 12) < accurate);
 }
 
 TEST_CASE("A fixed body's part of the solution is zero", "[dynamics]") {
@@ -98,11 +95,11 @@ TEST_CASE("A fixed body's part of the solution is zero", "[dynamics]") {
     Eigen::VectorXd x = Eigen::VectorXd::Ones(12);
     problem.solve(x);
     CHECK(x.head<6>().norm() == 0);
-    const Eigen::MatrixXd block = problem.jacobian().dense(2).bottomRightCorner<6, 6>();
+    const Eigen::MatrixXd block = problem.jacobian().dense().bottomRightCorner<6, 6>();
     CHECK((block * x.tail<6>() - Eigen::VectorXd::Ones(6)).norm() < 1e-12);
 }
 
-TEST_CASE("A matrix that is not finite is reported by either factorisation", "[dynamics]") {
+TEST_CASE("A matrix that is not finite is reported, for few bodies and for many", "[dynamics]") {
     for (const int boxes : {2, 12}) {
         Random random(244);
         StepCase step = chain(random, boxes);

@@ -19,7 +19,7 @@ inline ResidualError residual_error(const StepCase& step, ContactForces& forces,
     ResidualError found;
     found.state = problem.results()[0].law.state;
     problem.factorize();
-    const Eigen::MatrixXd whole = problem.jacobian().dense(step.system.bodies.size());
+    const Eigen::MatrixXd whole = problem.jacobian().dense();
 
     std::vector<Eigen::Index> free;  // numbers of the unknowns
     for (std::size_t b = 0; b < step.system.bodies.size(); ++b) {

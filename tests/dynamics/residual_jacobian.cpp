@@ -75,10 +75,13 @@ std::shared_ptr<const PairGeometry> random_points(Random& random, const Pose& po
 }
 
 // One contact of that kind with random velocities and a random past; empty when it has no force.
-std::optional<StepCase> random_step(Random& random, const std::string& kind, double friction, Second second) {
+std::optional<StepCase> random_step(Random& random, const std::string& kind, double friction, Second second,
+                                    const PairMaterial& more) {
     const Meeting meeting = random_meeting(random, kind);
     const double speed = 0.2 * depth / h;
     StepCase step;
+    step.material.rolling_friction = more.rolling_friction;
+    step.material.cohesion = more.cohesion;
     step.material.friction = friction;
     const Pose pose_a{meeting.apart, Quat::Identity()};
     const Pose frame{random.vector(), random.rotation()};
@@ -96,6 +99,7 @@ std::optional<StepCase> random_step(Random& random, const std::string& kind, dou
         step.before[b].orientation = rotation(0.02 * random.vector()) * step.before[b].orientation;
     }
     Contact& contact = step.add_contact(0, 1);
+    contact.pair.cohesion *= contact.pair.elastic * std::pow(depth, 3);
     if (kind == "frozen points") {
         const auto pose = [&](std::size_t b) -> Pose {
             return {step.system.states[b].position, step.system.states[b].orientation};
@@ -107,7 +111,9 @@ std::optional<StepCase> random_step(Random& random, const std::string& kind, dou
     const double stiffness = contact.pair.tangential_stiffness / (length * length) * depth * radius;
     for (int j = 0; j < 2; ++j) {
         const Vec3 normal = random.direction();
-        contact.history.push({force * random.vector(), normal, random.uniform(0.2, 2) * stiffness});
+        FrictionRecord record{force * random.vector(), normal, random.uniform(0.2, 2) * stiffness};
+        record.rolling = force * normal.cross(random.vector());
+        contact.history.push(record);
     }
     ForcesOf<WholeDerivativeLaw<>> forces({});
     StepProblem problem(step.system, forces);
@@ -128,11 +134,11 @@ struct Seen {
 
 template <LawParts parts = LawParts{}>
 Seen check(const std::string& kind, double friction, Second second, const LawOptions& options,
-           std::size_t order) {
+           std::size_t order, const PairMaterial& more = {}) {
     Random random(201 + order);
     Seen seen;
     for (int i = 0; i < 120; ++i) {
-        const auto step = random_step(random, kind, friction, second);
+        const auto step = random_step(random, kind, friction, second, more);
         if (!step) {
             continue;
         }
@@ -224,6 +230,21 @@ TEST_CASE("The residual's Jacobian agrees with differences for viscous and for t
             CHECK(plane.stick + plane.slip > 20);
             CHECK(viscous.worst < differences);
             CHECK(plane.worst < 10 * differences);  // a normal near y turns its tangent fast
+        }
+    }
+}
+
+TEST_CASE("The residual's Jacobian agrees with differences for rolling resistance and cohesion",
+          "[dynamics]") {
+    PairMaterial more;
+    more.cohesion = 0.5;  // of the force that presses a cube of the depth
+    for (const std::string& kind : kinds) {
+        for (const double friction : {0.3, 1e6}) {
+            more.rolling_friction = friction;
+            INFO(kind << ", μ = μ_r = " << friction);
+            const Seen seen = check<LawParts{.rolling = true}>(kind, friction, Second::free, {}, 2, more);
+            CHECK(seen.stick + seen.slip > 20);
+            CHECK(seen.worst < differences);
         }
     }
 }

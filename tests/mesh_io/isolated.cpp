@@ -3,7 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-#include <src/mesh_io/isolated.hpp>
+#include <scree/mesh_io/isolated.hpp>
 
 using namespace scree;
 

@@ -31,9 +31,10 @@ TEST_CASE("energy.csv has the ledger's entries", "[output]") {
     ledger.residual = -0.5;
     EnergyCsv(table).write(0.25, ledger);
     CHECK(take_contents() ==
-          "t,kinetic,gravity,normal_elastic,tangential_elastic,lost_normal_damping,lost_tangential_damping,"
-          "lost_friction,work_applied,residual\n"
-          "0.25,1,0,0,0,0,0,2,0,-0.5\n");
+          "t,kinetic,gravity,normal_elastic,tangential_elastic,torsional_elastic,rolling_elastic,cohesive,"
+          "lost_normal_damping,lost_tangential_damping,lost_friction,lost_torsion,lost_rolling,lost_cohesion,"
+          "work_applied,residual\n"
+          "0.25,1,0,0,0,0,0,0,0,0,2,0,0,0,0,-0.5\n");
 }
 
 TEST_CASE("contacts.csv has the pairs that touch", "[output]") {

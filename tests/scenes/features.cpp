@@ -27,7 +27,7 @@ TEST_CASE("A scene uses what it enters, and leaves out the rest", "[scenes]") {
         CAPTURE(left_out);
         CHECK_FALSE(features.uses(left_out));
     }
-    CHECK(features.used.size() + features.left_out.size() == 28);
+    CHECK(features.used.size() + features.left_out.size() == 31);
 }
 
 TEST_CASE("Friction and what hangs on it are left out together", "[scenes]") {
@@ -72,6 +72,24 @@ TEST_CASE("The law's choices are used where there is something for them to do", 
     }
     CHECK_FALSE(uses("torsion", {"law.friction=cundall_strack_2d"}));
     CHECK(uses("torsion", {"law.friction=viscous"}));
+}
+
+TEST_CASE("Rolling friction and cohesion are used where a material or a pair has them", "[scenes]") {
+    for (const std::string key : {"rolling_friction", "cohesion"}) {
+        CAPTURE(key);
+        CHECK_FALSE(uses(key.c_str(), {}));
+        CHECK_FALSE(uses(key.c_str(), {"materials.rock." + key + "=0"}));
+        CHECK(uses(key.c_str(), {"materials.rock." + key + "=0.1"}));
+        CHECK(uses(key.c_str(), {R"(pairs=[{"materials": ["rock", "rock"], ")" + key + R"(": 0.1}])"}));
+        CHECK_FALSE(uses(key.c_str(), {"materials.rock." + key + "=0.1", "stepping.method=bullet"}));
+    }
+}
+
+TEST_CASE("Kinetic friction is used where a material or a pair names it", "[scenes]") {
+    CHECK_FALSE(uses("kinetic_friction", {}));
+    CHECK(uses("kinetic_friction", {"materials.rock.kinetic_friction=0.4"}));
+    CHECK(uses("kinetic_friction", {R"(pairs=[{"materials": ["rock", "rock"], "kinetic_friction": 0.1}])"}));
+    CHECK_FALSE(uses("kinetic_friction", {"law.friction=none", "materials.rock.kinetic_friction=0.4"}));
 }
 
 TEST_CASE("A fixed step leaves the error control out", "[scenes]") {

@@ -62,17 +62,17 @@ struct ContactCase {
         return out;
     }
 
-    /// The same by a friction law that is known when the test runs; torsion as the pair has it.
+    /// The same by a friction law that is known when the test runs; torsion and rolling as the pair has them.
     [[nodiscard]] ContactForce force_by(FrictionLaw friction, const MotionRates* rates = nullptr) const {
         switch (friction) {
             case FrictionLaw::cundall_strack:
-                return force(rates);
+                return force<LawParts{.rolling = true}>(rates);
             case FrictionLaw::cundall_strack_2d:
-                return force<LawParts{FrictionLaw::cundall_strack_2d}>(rates);
+                return force<LawParts{.friction = FrictionLaw::cundall_strack_2d, .rolling = true}>(rates);
             case FrictionLaw::viscous:
-                return force<LawParts{FrictionLaw::viscous}>(rates);
+                return force<LawParts{.friction = FrictionLaw::viscous, .rolling = true}>(rates);
             default:
-                return force<LawParts{FrictionLaw::none}>(rates);
+                return force<LawParts{.friction = FrictionLaw::none, .rolling = true}>(rates);
         }
     }
 };

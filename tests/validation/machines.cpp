@@ -62,7 +62,7 @@ void run(Simulation& simulation) {
 }
 
 double lost(const EnergyLedger& energy) {
-    return energy.lost_friction + energy.lost_normal_damping + energy.lost_tangential_damping;
+    return energy.lost();
 }
 
 }  // namespace

@@ -19,6 +19,8 @@ struct FrictionRecord {
     Vec3 force = Vec3::Zero();    ///< [N]
     Vec3 normal = Vec3::UnitZ();  ///< the normal that it belongs to
     double stiffness = 0;         ///< kt [N/m] that it was stored with
+    bool slipping = false;        ///< it was at its limit
+    Vec3 rolling = Vec3::Zero();  ///< the moment against rolling over Lc/2 [N], across the normal
 };
 
 /// What a contact remembers of accepted steps. Only an accepted step changes it.
@@ -28,6 +30,9 @@ struct ContactHistory {
     bool centre_line = false;                        ///< the normal was the line of centres
     double normal_energy = 0;                        ///< stored [J], where the law has a potential
     double tangential_energy = 0;                    ///< stored [J]
+    double torsional_energy = 0;
+    double rolling_energy = 0;
+    double cohesive_energy = 0;
     /// What a law with a history of its own keeps beside `past`: as many records of plain numbers, the latest
     /// first; empty for all other laws.
     std::vector<double> own;
@@ -52,7 +57,7 @@ struct ContactHistory {
     void clear() {
         age = 0;
         centre_line = false;
-        normal_energy = tangential_energy = 0;
+        normal_energy = tangential_energy = torsional_energy = rolling_energy = cohesive_energy = 0;
     }
 };
 

@@ -29,23 +29,40 @@ struct ContactPower {
         0;  ///< into normal elasticity; 0 where ContactForce::normal_energy tells the state
     double normal_damping = 0;      ///< lost
     double normal = 0;              ///< into normal elasticity and damping together
-    double tangential = 0;          ///< into the tangential springs and slip together
+    double tangential = 0;          ///< into the tangential spring and slip together
     double tangential_damping = 0;  ///< lost
+    double torsion = 0;             ///< into the torsional spring, slip and damping together
+    double rolling = 0;             ///< into the rolling spring, its limit and damping together
+    double cohesion = 0;            ///< against the pull of cohesion
+};
+
+/// Which branches of a law its answer came from; its derivative jumps where they change.
+struct ContactRegime {
+    ContactState state = ContactState::open;
+    bool rolls = false;
+
+    bool operator==(const ContactRegime&) const = default;
 };
 
 /// What a contact law answers.
 struct ContactForce {
     Vec3 force = Vec3::Zero();   ///< [N], on A at the centroid; −force on B
     Vec3 moment = Vec3::Zero();  ///< [N m], on A about the centroid; −moment on B
-    double normal_force = 0;     ///< fn [N] ≥ 0
+    double normal_force = 0;     ///< fn [N], along the normal; below 0 where cohesion pulls
     FrictionRecord trial;        ///< what the history becomes if the step is accepted
     ContactState state = ContactState::open;
+    bool rolls = false;  ///< the rolling resistance is at its limit
     ContactPower power;
     double normal_energy = 0;          ///< stored [J], where the law has a potential
     double tangential_energy = 0;      ///< stored [J]
+    double torsional_energy = 0;       ///< stored [J]
+    double rolling_energy = 0;         ///< stored [J]
+    double cohesive_energy = 0;        ///< [J], below 0: what it takes to pull the bodies apart
     bool lost_direction = false;       ///< a stored force was normal to the new plane and started from zero
     Mat39 force_rate = Mat39::Zero();  ///< by the nine unknowns of MotionRates, when asked for
     Mat39 moment_rate = Mat39::Zero();
+
+    [[nodiscard]] ContactRegime regime() const { return {state, rolls}; }
 };
 
 /// A law that remembers nothing but friction: `law(input, force)` fills `force`.

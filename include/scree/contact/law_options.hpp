@@ -51,6 +51,9 @@ struct LawOptions {
 struct LawParts {
     FrictionLaw friction = FrictionLaw::cundall_strack;
     bool torsion = true;
+    bool rolling = false;
+
+    bool operator==(const LawParts&) const = default;
 };
 
 }  // namespace scree

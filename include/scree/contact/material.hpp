@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 
 #include <scree/mesh/vectors.hpp>
 
@@ -15,6 +16,10 @@ struct Material {
     double tangential_damping = 0.5;      ///< γt
     double tangential_ratio = 2.0 / 7.0;  ///< Yt/Y
     bool torsion = true;                  ///< resist spin about the contact normal
+    /// μ while it slides, at most that above; empty: the same.
+    std::optional<double> kinetic_friction = std::nullopt;
+    double rolling_friction = 0;  ///< μ_r: the largest rolling moment over the normal force and Lc/2
+    double cohesion = 0;          ///< [N], the largest pull that a contact bears
 
     bool operator==(const Material&) const = default;
 };
@@ -27,11 +32,14 @@ struct PairMaterial {
     double tangential_damping = 0.5;
     double tangential_ratio = 2.0 / 7.0;
     bool torsion = true;
+    std::optional<double> kinetic_friction = std::nullopt;
+    double rolling_friction = 0;
+    double cohesion = 0;
     bool even_damping = false;  ///< NormalDamping::patch, whatever the law's options say
 };
 
-/// The mixing rules: harmonic mean of Y, the smaller μ, means of the dampings and of Yt/Y, torsion if both
-/// have it.
+/// The mixing rules: harmonic mean of Y; the smaller μ at rest, in motion and of rolling, the smaller
+/// cohesion; means of the dampings and of Yt/Y; torsion if both have it.
 PairMaterial mix(const Material& a, const Material& b);
 
 /// What the pair constants need to know of a body.
@@ -53,8 +61,11 @@ struct PairConstants {
     double tangential_stiffness = 0;  ///< Yt Lc [N/m], Eq. (5.17)
     double tangential_damping = 0;    ///< γt √(Yt M_red Lc) [N s/m], Eq. (5.21)
     double friction = 0;              ///< μ
+    double kinetic_friction = 0;      ///< μ from when a contact slips until it sticks again
+    double rolling_friction = 0;      ///< μ_r
+    double cohesion = 0;              ///< [N]
     bool torsion = true;
-    bool even_damping = false;  ///< the normal damping is that of NormalDamping::patch
+    bool even_damping = false;              ///< the normal damping is that of NormalDamping::patch
     int law = 0;                            ///< which of a world's laws; 0: the one for all pairs
     Vec3 inverse_inertia_a = Vec3::Zero();  ///< about A's principal axes [1/(kg m²)]
     Vec3 inverse_inertia_b = Vec3::Zero();

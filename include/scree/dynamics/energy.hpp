@@ -10,6 +10,9 @@ struct Accumulated {
     double normal = 0;              ///< into normal elasticity and damping
     double tangential = 0;          ///< into tangential springs and slip
     double tangential_damping = 0;  ///< lost
+    double torsion = 0;             ///< into torsional springs, slip and damping
+    double rolling = 0;             ///< into rolling springs, their limit and damping
+    double cohesion = 0;            ///< against the pull of cohesion
     double applied = 0;             ///< by applied forces, restraints and prescribed bodies
 
     Accumulated& add(double factor, const Accumulated& other);
@@ -34,14 +37,28 @@ struct EnergyLedger {
     double gravity = 0;
     double normal_elastic = 0;
     double tangential_elastic = 0;
+    double torsional_elastic = 0;
+    double rolling_elastic = 0;
+    double cohesive = 0;  ///< below 0: what it takes to pull apart what holds together
     double lost_normal_damping = 0;
     double lost_tangential_damping = 0;
     double lost_friction = 0;
+    double lost_torsion = 0;   ///< to slip and damping about the normal
+    double lost_rolling = 0;   ///< to rolling resistance
+    double lost_cohesion = 0;  ///< to pulls that are not the gradient of a potential, as of edges that rock
     double work_applied = 0;
     double residual = 0;  ///< what the numbers above leave unexplained: the error of the time stepping
 
     /// What the bodies and contacts hold.
-    [[nodiscard]] double held() const { return kinetic + gravity + normal_elastic + tangential_elastic; }
+    [[nodiscard]] double held() const {
+        return kinetic + gravity + normal_elastic + tangential_elastic + torsional_elastic + rolling_elastic +
+               cohesive;
+    }
+    /// What has gone for good.
+    [[nodiscard]] double lost() const {
+        return lost_normal_damping + lost_tangential_damping + lost_friction + lost_torsion + lost_rolling +
+               lost_cohesion;
+    }
 };
 
 /// The ledger at the system's present states and what its contacts hold; `start` is held() at the start.

@@ -1,12 +1,11 @@
 #pragma once
 
-#include <memory>
+#include <span>
+#include <utility>
 #include <vector>
 
-#include <Eigen/Dense>
-#include <Eigen/Sparse>
-
-#include <scree/dynamics/islands.hpp>
+#include <scree/dynamics/contact.hpp>
+#include <scree/dynamics/linear_solver.hpp>
 #include <scree/dynamics/trial.hpp>
 
 namespace scree {
@@ -19,51 +18,36 @@ double held_inertia(const Body& body);
 /// tensor turning with the body, and what its restraint does.
 Mat6 inertia_block(const Body& body, const TrialBody& trial, double beta_h);
 
-/// The matrix of Newton's method, d(residual)/d(velocities), in 6×6 blocks (v, ω) per dynamic body, kept and
-/// factorised island by island: dense for a few bodies, sparse above.
+/// The matrix of Newton's method, d(residual)/d(velocities), in 6×6 blocks (v, ω) per dynamic body.
 class Jacobian {
   public:
     /// Gathers the blocks at the last evaluation. Bodies and contacts as in StepProblem.
     void assemble(std::span<const Body> bodies, std::span<const TrialBody> trial,
                   std::span<const Contact> contacts, std::span<const ContactResult> results, double beta_h);
 
-    /// Returns false when a block of the factorisation is singular or not finite.
-    bool factorize();
+    /// Returns false when it is singular or not finite.
+    bool factorize() { return solver_.prepare(matrix_); }
 
-    /// x := J⁻¹ x, six numbers a body, those of fixed bodies set to zero. By parts that touch nothing too.
-    void solve(Eigen::VectorXd& x) const;
+    /// x := J⁻¹ x, six numbers a body, those of fixed bodies set to zero. Returns false when there is no
+    /// solution.
+    bool solve(Eigen::VectorXd& x);
 
-    /// J x, by the assembled blocks; for tests.
-    [[nodiscard]] Eigen::MatrixXd dense(std::size_t bodies) const;
-
-    [[nodiscard]] const Islands& islands() const { return islands_; }
+    /// J itself, six rows a body; for tests.
+    [[nodiscard]] Eigen::MatrixXd dense() const;
 
   private:
-    struct Block {
-        int row, column;  ///< bodies
-        Mat6 value;
-    };
-    /// Minimum degree on the pattern of A + Aᵀ: the pattern is symmetric, and that order fills in least.
-    using SparseSolver = Eigen::SparseLU<Eigen::SparseMatrix<double>, Eigen::AMDOrdering<int>>;
-    struct IslandSolver {
-        bool sparse = false;
-        Eigen::PartialPivLU<Eigen::MatrixXd> dense_lu;
-        Eigen::SparseMatrix<double> matrix;
-        std::unique_ptr<SparseSolver> sparse_lu;
-        std::vector<int> pattern;  ///< that the symbolic analysis belongs to
-    };
+    void number(std::span<const Body> bodies);
+    void add_contact(const Contact& contact, const ContactResult& result, double beta_h);
+    void add_force(int row, int column, Mat6 block);
+    void add(int row, int column, const Mat6& block);
 
-    void add_contact(const Contact& contact, const ContactResult& result, std::span<const Body> bodies,
-                     double beta_h);
-    bool factorize_dense(IslandSolver& solver, std::size_t island);
-    bool factorize_sparse(IslandSolver& solver, std::size_t island);
-
-    Islands islands_;
-    std::vector<Block> blocks_;                   ///< off the diagonal, two a touching pair of dynamic bodies
-    std::vector<Mat6> diagonal_;                  ///< one a body
-    std::vector<std::vector<std::size_t>> held_;  ///< numbers of the blocks of each island
-    std::vector<IslandSolver> solvers_;
-    mutable Eigen::VectorXd part_;
+    BlockMatrix matrix_;
+    LinearSolver solver_;
+    std::vector<int> place_;  ///< by body, among the dynamic ones; −1: fixed
+    /// By which rows are divided, so that all are velocities: mass, and mass times radius, by place.
+    std::vector<std::pair<double, double>> scale_;
+    std::vector<const Restraint*> restraint_;  ///< of the same
+    Eigen::VectorXd part_;
 };
 
 }  // namespace scree

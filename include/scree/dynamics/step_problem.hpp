@@ -47,8 +47,8 @@ class StepProblem {
 
     /// From the last evaluation, which must have been with derivatives. False: singular.
     bool factorize();
-    /// x := J⁻¹ x with the last factorisation.
-    void solve(Eigen::VectorXd& x);
+    /// x := J⁻¹ x with the last factorisation. False: there is no solution.
+    bool solve(Eigen::VectorXd& x);
     /// x := M⁻¹ x with the inertia at the last evaluation, the equations' derivative but for the forces'
     /// part.
     void solve_inertia(Eigen::VectorXd& x) const;
@@ -100,7 +100,7 @@ class StepProblem {
     std::vector<BodyStart> starts_;
     std::vector<TrialBody> trial_;
     std::vector<ContactResult> results_;
-    std::vector<ContactState> factorized_states_;
+    std::vector<ContactRegime> factorized_regimes_;
     std::vector<Vec3> force_, torque_;
     std::vector<Hold> holds_;
     std::vector<bool> touched_;  ///< by a contact with a force

@@ -11,7 +11,8 @@ namespace scree {
 bool remembers(const Contact& contact, const ContactResult& result, std::size_t values);
 
 /// Σ weights[k] of its stored force, the trial one first and then the past ones, each brought to the present
-/// plane: as the distance [m] for which its spring stands. `turns_a[j]`: A's turn since the j-th past time.
+/// plane: as the distance [m] for which its spring stands; or of its rolling spring where that is more.
+/// `turns_a[j]`: A's turn since the j-th past time.
 double stored_difference(const Contact& contact, const ContactResult& result, std::span<const double> weights,
                          std::span<const Quat> turns_a, std::span<const Quat> turns_b);
 

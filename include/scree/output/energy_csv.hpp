@@ -9,14 +9,20 @@
 namespace scree {
 
 /// The entries of the ledger [J] and their names in files, in order.
-inline constexpr std::array<std::pair<const char*, double EnergyLedger::*>, 9> ledger_entries = {{
+inline constexpr std::array<std::pair<const char*, double EnergyLedger::*>, 15> ledger_entries = {{
     {"kinetic", &EnergyLedger::kinetic},
     {"gravity", &EnergyLedger::gravity},
     {"normal_elastic", &EnergyLedger::normal_elastic},
     {"tangential_elastic", &EnergyLedger::tangential_elastic},
+    {"torsional_elastic", &EnergyLedger::torsional_elastic},
+    {"rolling_elastic", &EnergyLedger::rolling_elastic},
+    {"cohesive", &EnergyLedger::cohesive},
     {"lost_normal_damping", &EnergyLedger::lost_normal_damping},
     {"lost_tangential_damping", &EnergyLedger::lost_tangential_damping},
     {"lost_friction", &EnergyLedger::lost_friction},
+    {"lost_torsion", &EnergyLedger::lost_torsion},
+    {"lost_rolling", &EnergyLedger::lost_rolling},
+    {"lost_cohesion", &EnergyLedger::lost_cohesion},
     {"work_applied", &EnergyLedger::work_applied},
     {"residual", &EnergyLedger::residual},
 }};

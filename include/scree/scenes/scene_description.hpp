@@ -18,10 +18,7 @@ namespace scree {
 
 /// A material as a scene file has it.
 struct MaterialDescription : Material {
-    bool patch_torsion = false;              ///< friction on points of the patch instead of the limit surface
-    double cohesion = 0;                     ///< pull-off force [N]
-    double rolling_friction = 0;             ///< dimensionless
-    std::optional<double> kinetic_friction;  ///< μ while sliding, where it differs
+    bool patch_torsion = false;  ///< friction on points of the patch instead of the limit surface
 };
 
 /// Replaces those of the mixed constants of two materials that it names.

@@ -42,13 +42,14 @@ struct UnnamedBody {
 
 /// A Young's modulus with which the body, resting on one of its faces under its own weight, sinks in by 10⁻⁴
 /// ℓ at most; damping by its restitution. `gravity` [m/s²] counts as 9.81 when it is less. Where Bullet's
-/// contact stiffness k and damping d are set, those of a face of area Lc²: Y = k/Lc and γn = d/√(k m). A body
-/// that forces do not move has an infinite modulus: that of whatever it touches.
+/// contact stiffness k and damping d are set, those of a face of area Lc²: Y = k/Lc and γn = d/√(k m).
+/// Bullet's rolling friction is a length, which counts over Lc/2. A body that forces do not move has an
+/// infinite modulus: that of whatever it touches.
 Material automatic_material(const UnnamedBody& body, const BodyShape& shape, double gravity);
 
 /// What Bullet makes of two bodies that both have no material, in place of the mixing rules: its combined
-/// friction, restitution and, where one of them has such, contact stiffness and damping. `pair`: by the
-/// mixing rules; `a`, `b`: of the bodies.
+/// friction, rolling friction, restitution and, where one of them has such, contact stiffness and damping.
+/// `pair`: by the mixing rules; `a`, `b`: of the bodies.
 PairMaterial combined_by_bullet(PairMaterial pair, const btCollisionObject& object_a, const BodySize& a,
                                 const btCollisionObject& object_b, const BodySize& b);
 

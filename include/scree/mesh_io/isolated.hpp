@@ -15,8 +15,9 @@ class IsolationError : public std::runtime_error {
 
 /// What that process may use.
 struct IsolationLimits {
-    unsigned seconds = 0;       ///< of processor time
-    std::uintmax_t memory = 0;  ///< [bytes], beyond what this process has
+    unsigned seconds = 0;                 ///< of processor time
+    std::uintmax_t memory = 0;            ///< [bytes], beyond what this process has
+    const char* worker = "the importer";  ///< what does the work, for the message
 };
 
 /// Runs `work` in a copy of this process and returns what it returns. Whatever it does to itself, crash, spin
