@@ -31,7 +31,7 @@ struct SinteringLaw {
             return;
         }
         if (out.state == ContactState::open) {
-            out = ContactForce{};  // nothing presses, but the bond pulls
+            out.reset();  // nothing presses, but the bond pulls
             out.state = ContactState::slip;
         }
         pull(in, bonded, out);

@@ -6,7 +6,7 @@
 
 #include <scree/world/dynamics_world.hpp>
 
-#include "hertz_mindlin_law.hpp"
+#include "elastic_spheres_law.hpp"
 
 namespace {
 
@@ -15,11 +15,11 @@ constexpr double density = 2500;  // [kg/m³]
 const double mass = density * 4.0 / 3 * M_PI * std::pow(radius, 3);
 
 // The largest depth of two spheres that collide, δ = (15 m* v²/(16 E* √R*))^(2/5), and how long they touch.
-double hertz_depth(const scree::HertzMindlin& law, double speed) {
+double hertz_depth(const scree::ElasticSpheres& law, double speed) {
     const double elastic = 16 * law.effective_modulus() * std::sqrt(radius / 2);
     return std::pow(15 * (mass / 2) * speed * speed / elastic, 0.4);
 }
-double hertz_duration(const scree::HertzMindlin& law, double speed) {
+double hertz_duration(const scree::ElasticSpheres& law, double speed) {
     return 2.9433 * hertz_depth(law, speed) / speed;
 }
 
@@ -32,7 +32,7 @@ struct Collision {
 
 // Two spheres fly at each other with relative velocity (along, 0, -across) [m/s], so that they meet one above
 // the other.
-Collision collide(const scree::HertzMindlin& law, double across, double along) {
+Collision collide(const scree::ElasticSpheres& law, double across, double along) {
     btDefaultCollisionConfiguration configuration;
     btCollisionDispatcher dispatcher(&configuration);
     btDbvtBroadphase pairs;
@@ -79,7 +79,7 @@ Collision collide(const scree::HertzMindlin& law, double across, double along) {
     return seen;
 }
 
-void head_on(const scree::HertzMindlin& law) {
+void head_on(const scree::ElasticSpheres& law) {
     std::printf(
         "Head on            depth [m]    Hertz        time [s]     Hertz        speed after/before\n");
     for (const double speed : {0.1, 0.3, 1.0, 3.0}) {
@@ -91,7 +91,7 @@ void head_on(const scree::HertzMindlin& law) {
 }
 
 // A contact that slides all the time takes μ times the normal impulse along with it.
-void grazing(const scree::HertzMindlin& law) {
+void grazing(const scree::ElasticSpheres& law) {
     std::printf(
         "\nGrazing            taken along by the collision     Coulomb: 2 μ times the speed across\n");
     for (const double speed : {0.3, 1.0}) {
@@ -104,7 +104,7 @@ void grazing(const scree::HertzMindlin& law) {
 }  // namespace
 
 int main() {
-    scree::HertzMindlin law;
+    scree::ElasticSpheres law;
     law.youngs_modulus = 5e9;
     head_on(law);
     law.friction = 0.1;

@@ -7,7 +7,7 @@ namespace scree {
 void ExplicitStepper::restart(double time) {
     memory_.time = time;
     for (Contact& contact : system_.contacts) {
-        contact.history.age = std::min<std::size_t>(contact.history.age, 1);
+        contact.history.shorten();
     }
     evaluate_present(u_);
     remember_energies();

@@ -69,6 +69,7 @@ void Group::load(System& whole, std::span<const std::size_t> contacts, double ti
     }
     const bool woken = asleep_;
     asleep_ = false;
+    results_.clear();
     calm_ = woken || restart_ ? 0 : calm_;
     if (restart_ || woken || start_.past.count() == 0) {
         asleep_ = stopped_from_outside(whole, time);
@@ -162,7 +163,7 @@ void Group::shorten_memories() {
     };
     for (Contact& contact : system_.contacts) {
         if (!led(contact.a) || !led(contact.b)) {
-            contact.history.age = std::min<std::size_t>(contact.history.age, 1);
+            contact.history.shorten();
         }
     }
 }
@@ -214,8 +215,9 @@ void Group::hand_back(System& whole) const {
 
 void Group::commit(System& whole, std::vector<ContactResult>& results) {
     arrived_ = false;
+    const std::span<const ContactResult> own = asleep_ ? results_ : integrator_->problem().results();
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
-        results[contacts_[i]] = integrator_->problem().results()[i];
+        results[contacts_[i]] = own[i];
     }
     if (asleep_) {
         return;
@@ -230,6 +232,25 @@ void Group::commit(System& whole, std::vector<ContactResult>& results) {
     leaders_.clear();
     calm_ = may_rest() && at_rest() ? calm_ + 1 : 0;
     asleep_ = calm_ >= calm_meetings;
+    if (asleep_) {
+        results_.assign(own.begin(), own.end());
+    }
+}
+
+void Group::go_on(const System& whole, std::span<const std::size_t> contacts) {
+    load_bodies(whole);
+    load_contacts(whole, contacts);
+    const std::size_t count = start_.past.count();
+    bool fits = start_.order > 0 && results_.size() == (asleep_ ? contacts.size() : 0);
+    for (std::size_t j = 0; j < count; ++j) {
+        fits = fits && start_.past.states(j).size() == bodies_.size();
+    }
+    for (const std::vector<Vec3>* list : {&start_.force, &start_.torque}) {
+        fits = fits && (count == 0 || list->size() == bodies_.size());
+    }
+    StateReader::require(fits);
+    integrator_->recall(start_);
+    restart_ = false;
 }
 
 // A prescribed body that moves, or will again, or whose surface does, works on what lies against it.

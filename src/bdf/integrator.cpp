@@ -80,7 +80,7 @@ void Integrator::remember_contacts() {
             history.clear();
             continue;
         }
-        history.push(results[i].law.trial);
+        history.push(results[i].law.trial, results[i].law.cells);
         if (!results[i].own.empty()) {
             history.push_own(results[i].own);
         }

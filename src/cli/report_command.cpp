@@ -56,10 +56,11 @@ int report_command(const ReportOrder& order) {
     request.only = order.only;
     catch_interrupt();
     const ReportLine line(order.quiet);
-    const bool finished = make_report(request, [&](std::size_t done, std::size_t cases, const std::string& next) {
-        line.show(done, cases, next);
-        return !interrupted();
-    });
+    const bool finished =
+        make_report(request, [&](std::size_t done, std::size_t cases, const std::string& next) {
+            line.show(done, cases, next);
+            return !interrupted();
+        });
     line.clear();
     if (!order.quiet) {
         std::printf("report: %s; see %s\n", finished ? "done" : "interrupted, to be gone on with",

@@ -5,6 +5,8 @@ find_package(Qhull CONFIG REQUIRED)
 find_package(assimp CONFIG REQUIRED)
 find_package(nlohmann_json 3.11 CONFIG REQUIRED)
 find_package(CLI11 2 CONFIG REQUIRED)
+find_path(XXHASH_INCLUDE_DIR xxhash.h REQUIRED)  # used as headers alone
+mark_as_advanced(XXHASH_INCLUDE_DIR)
 include(scree_bullet)
 if(scree_bullet_missing)
     message(FATAL_ERROR "${scree_bullet_missing}")

@@ -20,6 +20,8 @@ if(TARGET scree_program)
     # The scenes that come with it, which find their meshes as they do in the source tree.
     install(DIRECTORY ${PROJECT_SOURCE_DIR}/demos ${PROJECT_SOURCE_DIR}/meshes
         DESTINATION ${CMAKE_INSTALL_DATADIR}/scree FILES_MATCHING PATTERN scene.json PATTERN *.obj)
+    install(FILES ${PROJECT_SOURCE_DIR}/src/scenes/scene.schema.json
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/scree)
 endif()
 
 # For those who build without CMake: pkg-config scree-world.

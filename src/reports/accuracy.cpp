@@ -9,14 +9,15 @@ namespace scree {
 
 namespace {
 
-const Row columns = {"problem",         "method",      "step",  "rtol",    "error", "seconds", "settings", "status",
-                     "numerical_error", "model_error", "worst", "reached", "steps", "runs",    "message"};
+const Row columns = {"problem", "method",          "step",        "rtol",  "error",   "seconds", "settings",
+                     "status",  "numerical_error", "model_error", "worst", "reached", "steps",   "runs",
+                     "message"};
 const Row keys = {"problem", "method", "step", "rtol", "settings"};
 
-constexpr double size_off = 0.5;      // an error with which the end is plainly not the right one
+constexpr double size_off = 0.5;        // an error with which the end is plainly not the right one
 constexpr std::size_t fewest_runs = 3;  // besides the one that warms up, if there is time
 constexpr std::size_t most_runs = 8;
-constexpr double enough_time = 0.2;     // [s], of runs that are timed
+constexpr double enough_time = 0.2;  // [s], of runs that are timed
 
 Row row_keys(const Problem& problem, const MethodChoice& method) {
     return {problem.name, method.name(), method.step(), method.rtol(), method.settings()};
@@ -75,8 +76,7 @@ Row measured(const Problem& problem, const MethodChoice& method, const Reference
     const double none = std::numeric_limits<double>::quiet_NaN();
     const bool rigid = static_cast<bool>(problem.rigid);
     const Difference against_model = largest_difference(seen.samples, reference.samples);
-    const Difference error =
-        rigid ? largest_difference(seen.samples, rigid_samples(problem)) : against_model;
+    const Difference error = rigid ? largest_difference(seen.samples, rigid_samples(problem)) : against_model;
     const bool has_model = reference.known() && (!method.by_bullet() || !rigid);
     const Timing timing = timed(problem, method, seen.seconds, budget);
     return {problem.name,
@@ -97,7 +97,8 @@ Row measured(const Problem& problem, const MethodChoice& method, const Reference
 }
 
 /// Whether a longer step or a looser tolerance of the same family took too long.
-bool hopeless(const Problem& problem, const MethodChoice& method, const std::vector<MethodChoice>& all, const Table& table) {
+bool hopeless(const Problem& problem, const MethodChoice& method, const std::vector<MethodChoice>& all,
+              const Table& table) {
     for (const MethodChoice& other : all) {
         if (other.text() == method.text()) {
             return false;
@@ -108,8 +109,7 @@ bool hopeless(const Problem& problem, const MethodChoice& method, const std::vec
             return Row{row[0], row[1], row[2], row[3], table.at(row, "settings")} == wanted &&
                    (status == "stopped" || status == "ended");
         };
-        if (family(other) == family(method) &&
-            std::any_of(table.rows().begin(), table.rows().end(), slow)) {
+        if (family(other) == family(method) && std::any_of(table.rows().begin(), table.rows().end(), slow)) {
             return true;
         }
     }

@@ -12,7 +12,8 @@ namespace scree {
 /// error: against rigid bodies under Coulomb's law where that has an answer, else against the model;
 /// numerical_error: against the model; model_error: of the model against rigid bodies.
 /// status: done; wrong: the end is off by a body's size and more, or by all of a velocity; failed: the run
-/// says so; stopped: it took too long; ended: it crashed or hung; not run: with a longer step it took too long.
+/// says so; stopped: it took too long; ended: it crashed or hung; not run: with a longer step it took too
+/// long.
 Table accuracy_table(const std::filesystem::path& folder);
 
 /// The methods that a problem is stepped by. Within a family, the same but for step or tolerance, they go

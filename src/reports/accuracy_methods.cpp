@@ -4,8 +4,8 @@ namespace scree {
 
 namespace {
 
-constexpr double steps[] = {2e-2, 5e-3, 1e-3, 2e-4, 5e-5};           // [s], of implicit methods
-constexpr double small_steps[] = {1e-3, 2e-4, 5e-5, 2e-5, 5e-6};     // of explicit ones
+constexpr double steps[] = {2e-2, 5e-3, 1e-3, 2e-4, 5e-5};        // [s], of implicit methods
+constexpr double small_steps[] = {1e-3, 2e-4, 5e-5, 2e-5, 5e-6};  // of explicit ones
 constexpr double tolerances[] = {1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7};
 constexpr double bullet_steps[] = {1.0 / 60, 1.0 / 240, 1e-3, 2e-4};
 constexpr int bullet_iterations[] = {10, 50, 200};
@@ -81,16 +81,17 @@ std::vector<MethodChoice> whole_methods(bool quick) {
     for (const int order : {1, 2, 3, 4, 5}) {
         methods.push_back(adaptive_bdf(order, 1e-2));
     }
-    methods.insert(methods.end(), {fixed_bdf(1, 2e-3), fixed_bdf(2, 2e-3), on_manifolds(adaptive_bdf(2, 1e-2)),
-                                   explicit_method(SteppingMethod::symplectic_euler, 1e-4),
-                                   explicit_method(SteppingMethod::verlet, 1e-4), bullet_method(1.0 / 60, 10),
-                                   bullet_method(1.0 / 240, 10), bullet_method(1e-3, 50),
-                                   bullet_at_best(1.0 / 240, 50), bullet_at_best(1e-3, 200)});
+    methods.insert(methods.end(),
+                   {fixed_bdf(1, 2e-3), fixed_bdf(2, 2e-3), on_manifolds(adaptive_bdf(2, 1e-2)),
+                    explicit_method(SteppingMethod::symplectic_euler, 1e-4),
+                    explicit_method(SteppingMethod::verlet, 1e-4), bullet_method(1.0 / 60, 10),
+                    bullet_method(1.0 / 240, 10), bullet_method(1e-3, 50), bullet_at_best(1.0 / 240, 50),
+                    bullet_at_best(1e-3, 200)});
     if (!quick) {
         methods.insert(methods.end(),
-                       {adaptive_bdf(2, 1e-3), adaptive_bdf(3, 1e-3),
-                        adaptive_bdf(2, 1e-2, Solver::newton), adaptive_bdf(2, 1e-2, Solver::fixed_point),
-                        fixed_bdf(2, 5e-4), explicit_method(SteppingMethod::verlet, 2e-5)});
+                       {adaptive_bdf(2, 1e-3), adaptive_bdf(3, 1e-3), adaptive_bdf(2, 1e-2, Solver::newton),
+                        adaptive_bdf(2, 1e-2, Solver::fixed_point), fixed_bdf(2, 5e-4),
+                        explicit_method(SteppingMethod::verlet, 2e-5)});
     }
     return methods;
 }
@@ -102,7 +103,7 @@ std::vector<MethodChoice> accuracy_methods(const Problem& problem, bool quick) {
         return whole_methods(quick);
     }
     std::vector<MethodChoice> methods;
-        add_bdf(methods, quick);
+    add_bdf(methods, quick);
     if (!problem.free_flight) {
         add_solvers(methods, quick);
         add_manifolds(methods, quick);

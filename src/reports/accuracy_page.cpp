@@ -64,9 +64,11 @@ std::vector<Row> failures(const Table& table, const std::string& problem) {
         if (table.at(row, "problem") != problem || status == "done") {
             continue;
         }
-        const std::string off = together({table.at(row, "worst"), " off by ", shown(table.number(row, "error"))});
+        const std::string off =
+            together({table.at(row, "worst"), " off by ", shown(table.number(row, "error"))});
         rows.push_back({table.at(row, "method"), table.at(row, "step"), table.at(row, "rtol"),
-                        table.at(row, "settings"), status, status == "wrong" ? off : table.at(row, "message")});
+                        table.at(row, "settings"), status,
+                        status == "wrong" ? off : table.at(row, "message")});
     }
     return rows;
 }
@@ -92,28 +94,33 @@ void add_pictures(const std::filesystem::path& folder, const Problem& problem, c
     const std::string first = together({"accuracy_", problem.name, ".svg"});
     const std::string second = together({"numerical_", problem.name, ".svg"});
     if (draw(plot_of(work, together({problem.name, ": error"}), &Work::error), folder / first)) {
-        page.picture(first, together({"Error against run time: ", problem.name, ". Broken lines: Bullet's solver."}));
+        page.picture(
+            first, together({"Error against run time: ", problem.name, ". Broken lines: Bullet's solver."}));
     }
     if (problem.rigid && !problem.free_flight &&
         draw(plot_of(work, together({problem.name, ": numerical error against the force model"}),
                      &Work::numerical_error),
              folder / second)) {
-        page.picture(second, together({"Numerical error, against the model's own outcome: ", problem.name, "."}));
+        page.picture(second,
+                     together({"Numerical error, against the model's own outcome: ", problem.name, "."}));
     }
 }
 
 std::string reference_text(const Problem& problem, const Reference& reference) {
     if (!reference.known()) {
-        return "The methods that were to agree on the model's outcome did not finish, so that numerical errors are not "
+        return "The methods that were to agree on the model's outcome did not finish, so that numerical "
+               "errors are not "
                "known.";
     }
     const std::string source =
-        problem.model ? "The model's outcome is in closed form."
-                      : together({problem.chaotic ? "The fine runs differ from their mean by up to "
-                                                  : "Two methods at their finest agree on the model's outcome to ",
-                                  shown(reference.agreement), "."});
+        problem.model
+            ? "The model's outcome is in closed form."
+            : together({problem.chaotic ? "The fine runs differ from their mean by up to "
+                                        : "Two methods at their finest agree on the model's outcome to ",
+                        shown(reference.agreement), "."});
     const bool apart = std::isfinite(reference.model_error) && reference.model_error > 0;
-    return apart ? together({source, " The model differs from rigid bodies by ", shown(reference.model_error), "."})
+    return apart ? together({source, " The model differs from rigid bodies by ", shown(reference.model_error),
+                             "."})
                  : source;
 }
 
@@ -127,10 +134,14 @@ void add_accuracy(const std::filesystem::path& folder, const std::vector<Problem
     const Table references = reference_table(folder);
     page.heading(2, "Accuracy");
     page.text(
-        "Every problem by every method: its error over its run time, which is the least of several runs after one "
-        "that warms up, without loading. The error is against rigid bodies under Coulomb's law where these have an "
-        "answer; numerical_error in accuracy.csv is against the force model itself, and model_error is what the model "
-        "differs from rigid bodies. A row of Bullet's is beaten when scree takes no longer to no larger an error.");
+        "Every problem by every method: its error over its run time, which is the least of several runs "
+        "after one "
+        "that warms up, without loading. The error is against rigid bodies under Coulomb's law where these "
+        "have an "
+        "answer; numerical_error in accuracy.csv is against the force model itself, and model_error is what "
+        "the model "
+        "differs from rigid bodies. A row of Bullet's is beaten when scree takes no longer to no larger an "
+        "error.");
     page.table(standings(table, problems));
     for (const Problem& problem : problems) {
         const std::vector<Work> work = finished_work(table, problem.name);

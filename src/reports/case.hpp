@@ -16,7 +16,8 @@ struct Case {
 
 /// Whether the request wants the problem, axis or table of that name.
 inline bool wanted(const ReportRequest& request, const std::string& name) {
-    return request.only.empty() || std::find(request.only.begin(), request.only.end(), name) != request.only.end();
+    return request.only.empty() ||
+           std::find(request.only.begin(), request.only.end(), name) != request.only.end();
 }
 
 }  // namespace scree

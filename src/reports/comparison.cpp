@@ -12,13 +12,17 @@ Work work_of(const Table& table, const Row& row) {
     const std::string& step = table.at(row, "step");
     const std::string& settings = table.at(row, "settings");
     const bool adaptive = step == "adaptive";
-    const std::string manner = adaptive ? together({"rtol ", table.at(row, "rtol")}) : together({"step ", step, " s"});
+    const std::string manner =
+        adaptive ? together({"rtol ", table.at(row, "rtol")}) : together({"step ", step, " s"});
     const std::string tail = settings.empty() ? "" : together({"; ", settings});
     Work work;
     work.label = together({method, ", ", manner, tail});
     work.by_bullet = method == "bullet";
     const bool one_manner = work.by_bullet || !method.starts_with("bdf");
-    work.family = together({method, one_manner ? "" : adaptive ? ", adaptive" : ", fixed steps", tail});
+    const std::size_t best = tail.find("; separating");
+    const std::string short_tail =
+        best == std::string::npos ? tail : together({tail.substr(0, best), ", best"});
+    work.family = together({method, one_manner ? "" : adaptive ? ", adaptive" : ", fixed", short_tail});
     work.seconds = table.number(row, "seconds");
     work.error = table.number(row, "error");
     work.numerical_error = table.number(row, "numerical_error");
@@ -31,7 +35,8 @@ std::vector<Work> finished_work(const Table& accuracy, const std::string& proble
     std::vector<Work> all;
     for (const Row& row : accuracy.rows()) {
         const Work work = work_of(accuracy, row);
-        if (accuracy.at(row, "problem") == problem && std::isfinite(work.error) && std::isfinite(work.seconds)) {
+        if (accuracy.at(row, "problem") == problem && std::isfinite(work.error) &&
+            std::isfinite(work.seconds)) {
             all.push_back(work);
         }
     }

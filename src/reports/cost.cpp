@@ -117,7 +117,8 @@ void run_once(const SceneDescription& scene, const Running& running, const Budge
 Expense expense_of(const SceneDescription& scene, const Running& running, const Budget& budget) {
     Expense expense;
     double spent = 0;
-    for (std::size_t run = 0; run <= running.runs && expense.message.empty() && spent < budget.seconds; ++run) {
+    for (std::size_t run = 0; run <= running.runs && expense.message.empty() && spent < budget.seconds;
+         ++run) {
         run_once(scene, running, budget, run <= 1, expense);
         spent += expense.seconds;
     }

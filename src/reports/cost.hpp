@@ -44,7 +44,8 @@ std::vector<Case> stage_cases(const ReportRequest& request);
 std::vector<Case> scaling_cases(const ReportRequest& request);
 std::vector<Case> left_out_cases(const ReportRequest& request);
 
-/// Bodies in a cubic lattice at rest on nothing, turned at random: neighbours overlap a little, or are far apart.
+/// Bodies in a cubic lattice at rest on nothing, turned at random: neighbours overlap a little, or are far
+/// apart.
 SceneDescription lattice(std::size_t count, const ShapeDescription& shape, double spacing, bool turned);
 
 }  // namespace scree

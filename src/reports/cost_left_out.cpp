@@ -1,4 +1,5 @@
-// Pairs of scenes that differ in one need: what enters, what is stored and what it takes, with it and without.
+// Pairs of scenes that differ in one need: what enters, what is stored and what it takes, with it and
+// without.
 
 #include <cmath>
 #include <memory>
@@ -13,9 +14,10 @@ namespace scree {
 
 namespace {
 
-const Row columns = {"need",       "side",      "seconds",     "loading", "bytes",   "written",
-                     "newton",     "jacobians", "factorizations", "functional", "evaluations", "pair_searches",
-                     "pairs_by_bullet", "entered", "libraries", "status"};
+const Row columns = {"need",        "side",          "seconds",         "loading",        "bytes",
+                     "written",     "newton",        "jacobians",       "factorizations", "functional",
+                     "evaluations", "pair_searches", "pairs_by_bullet", "entered",        "libraries",
+                     "status"};
 const Row keys = {"need", "side"};
 
 constexpr double edge = 0.05;  // [m]
@@ -89,12 +91,14 @@ std::vector<Pair> pairs() {
     all.back().without.materials["rock"].tangential_damping = 0;
     all.push_back(same("torsion"));
     all.back().without.materials["rock"].torsion = false;
-    all.push_back({"polyhedra", pushed_cubes(shipped_mesh("icosahedron", edge / 1.618)), pushed_cubes(Sphere{edge / 2})});
+    all.push_back({"polyhedra", pushed_cubes(shipped_mesh("icosahedron", edge / 1.618)),
+                   pushed_cubes(Sphere{edge / 2})});
     all.push_back(rotation_pair());
     all.push_back(materials_pair());
     all.push_back(same("output"));
     all.back().write = true;
-    all.push_back({"mesh files", pushed_cubes(shipped_mesh("cube", edge)), pushed_cubes(BoxShape{Vec3::Constant(edge)})});
+    all.push_back({"mesh files", pushed_cubes(shipped_mesh("cube", edge)),
+                   pushed_cubes(BoxShape{Vec3::Constant(edge)})});
     all.push_back(same("stiff contacts"));
     all.back().without.materials["rock"].youngs_modulus = 2e4;
     all.push_back(sleep_pair());

@@ -24,7 +24,8 @@ std::vector<Row> readable(const Table& table, const std::vector<std::string>& wi
         Row& line = rows.emplace_back();
         for (std::size_t i = 0; i < row.size(); ++i) {
             if (!hidden(table.columns()[i])) {
-                const bool small = row[i].find('.') != std::string::npos || row[i].find('e') != std::string::npos;
+                const bool small =
+                    row[i].find('.') != std::string::npos || row[i].find('e') != std::string::npos;
                 const double value = number_in(row[i]);
                 line.push_back(small && value == value ? shown(value) : row[i]);
             }
@@ -71,8 +72,8 @@ std::string difference(const std::string& with, const std::string& without) {
 
 std::vector<Row> pairs_of(const Table& table) {
     std::vector<Row> rows = {{"need", "entered with it alone", "Newton iterations", "Jacobians", "functional",
-                              "contact evaluations", "heap [bytes]", "written [bytes]", "loading [s]", "time [s]",
-                              "time without"}};
+                              "contact evaluations", "heap [bytes]", "written [bytes]", "loading [s]",
+                              "time [s]", "time without"}};
     std::map<std::string, const Row*> with;
     for (const Row& row : table.rows()) {
         const std::string& need = table.at(row, "need");
@@ -85,7 +86,8 @@ std::vector<Row> pairs_of(const Table& table) {
         }
         const Row& other = *with[need];
         Row line = {need, difference(table.at(other, "entered"), table.at(row, "entered"))};
-        for (const char* name : {"newton", "jacobians", "functional", "evaluations", "bytes", "written", "loading"}) {
+        for (const char* name :
+             {"newton", "jacobians", "functional", "evaluations", "bytes", "written", "loading"}) {
             line.push_back(together({table.at(other, name), " / ", table.at(row, name)}));
         }
         line.push_back(together({table.at(other, "seconds"), " / ", table.at(row, "seconds")}));
@@ -113,7 +115,8 @@ void add_cost(const std::filesystem::path& folder, Page& page) {
     if (!scaling.rows().empty()) {
         page.heading(3, "Scaling");
         page.text(
-            "Stones in a lattice in which neighbours overlap, as one group; memory a body is that of the same lattice "
+            "Stones in a lattice in which neighbours overlap, as one group; memory a body is that of the "
+            "same lattice "
             "with nothing in touch, less what one body takes, and memory a contact what touching adds.");
         add_scaling_pictures(folder, scaling, page);
         page.table(readable(scaling, {}));
@@ -121,15 +124,21 @@ void add_cost(const std::filesystem::path& folder, Page& page) {
     if (!left_out.rows().empty()) {
         page.heading(3, "What is left out");
         page.text(
-            "Pairs of scenes that differ in one need; where there are two numbers, the first is with it. Parts of the "
-            "law that a scene does not enter are not compiled into its loop: each choice is a type of its own. Rotation "
-            "is never left out; the pair shows that bodies that do not turn cost the same.");
+            "Pairs of scenes that differ in one need; where there are two numbers, the first is with it. "
+            "Parts of the "
+            "law that a scene does not enter are not compiled into its loop: each choice is a type of its "
+            "own. Rotation "
+            "is never left out; the pair shows that bodies that do not turn cost the same. Of the heap the "
+            "most part are "
+            "pools that Bullet's collision configuration takes at once, which the spheres' scene has, too.");
         page.table(pairs_of(left_out));
         page.text(
-            "The program links all components, and so has the same libraries in both of a pair; a program of one's own "
+            "The program links all components, and so has the same libraries in both of a pair; a program of "
+            "one's own "
             "links what its components need:");
         page.table(readable(libraries_table(folder), {}));
-        page.text(together({"In the process of these runs: ", left_out.at(left_out.rows().front(), "libraries")}));
+        page.text(
+            together({"In the process of these runs: ", left_out.at(left_out.rows().front(), "libraries")}));
     }
 }
 

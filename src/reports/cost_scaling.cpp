@@ -13,8 +13,9 @@ namespace scree {
 
 namespace {
 
-const Row columns = {"by",      "value",   "method",          "seconds_per_step", "us_per_contact", "us_per_body",
-                     "contacts", "bodies", "bytes_per_body", "bytes_per_contact", "steps", "status"};
+const Row columns = {"by",          "value",    "method", "seconds_per_step", "us_per_contact",
+                     "us_per_body", "contacts", "bodies", "bytes_per_body",   "bytes_per_contact",
+                     "steps",       "status"};
 const Row keys = {"by", "value", "method"};
 
 constexpr double size = 0.05;  // [m]
@@ -61,7 +62,8 @@ Row sample_row(const Sample& sample, const MethodChoice& method, const Budget& b
 }
 
 Sample sample_of(const std::string& by, double value, std::size_t count, const ShapeDescription& shape) {
-    return {by, cell(value), lattice(count, shape, near * size, true), lattice(count, shape, far * size, true)};
+    return {by, cell(value), lattice(count, shape, near * size, true),
+            lattice(count, shape, far * size, true)};
 }
 
 std::vector<Sample> samples(const ReportRequest& request) {
@@ -83,7 +85,8 @@ std::vector<Sample> samples(const ReportRequest& request) {
     }
     for (const std::size_t threads : {1U, 2U, 4U}) {
         if (wanted(request, "threads")) {
-            all.push_back(sample_of("threads", static_cast<double>(threads), quick ? 1000 : 300, icosahedron));
+            all.push_back(
+                sample_of("threads", static_cast<double>(threads), quick ? 1000 : 300, icosahedron));
             all.back().threads = threads;
         }
     }
@@ -119,8 +122,8 @@ std::vector<Case> scaling_cases(const ReportRequest& request) {
     const auto table = std::make_shared<Table>(scaling_table(request.out));
     std::vector<Case> cases;
     for (const Sample& sample : samples(request)) {
-        for (const MethodChoice& method : {explicit_method(SteppingMethod::verlet, 5e-5),
-                                           fixed_bdf(2, 2e-4, Solver::newton)}) {
+        for (const MethodChoice& method :
+             {explicit_method(SteppingMethod::verlet, 5e-5), fixed_bdf(2, 2e-4, Solver::newton)}) {
             const bool too_long = request.quick && method.by_bdf() && sample.scene.bodies.size() > 100;
             if (too_long || table->has({sample.by, sample.value, method.name()})) {
                 continue;
@@ -129,8 +132,8 @@ std::vector<Case> scaling_cases(const ReportRequest& request) {
             method.apply(with.scene);
             method.apply(with.apart);
             cases.push_back({"scaling with " + sample.by + ", " + sample.value + ": " + method.text(), [=] {
-                                 const Isolated answer = isolated_row(
-                                     [&] { return sample_row(with, method, budget); }, budget);
+                                 const Isolated answer =
+                                     isolated_row([&] { return sample_row(with, method, budget); }, budget);
                                  Row row(columns.size());
                                  row[0] = with.by;
                                  row[1] = with.value;

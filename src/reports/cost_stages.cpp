@@ -9,9 +9,21 @@ namespace scree {
 
 namespace {
 
-const Row columns = {"scene",     "method",    "step",     "rtol",        "seconds",
-                     "detection", "contacts",  "jacobian", "solve",       "other",
-                     "steps",     "evaluations", "us_per_evaluation", "most_contacts", "us_per_contact_step",
+const Row columns = {"scene",
+                     "method",
+                     "step",
+                     "rtol",
+                     "seconds",
+                     "detection",
+                     "contacts",
+                     "jacobian",
+                     "solve",
+                     "other",
+                     "steps",
+                     "evaluations",
+                     "us_per_evaluation",
+                     "most_contacts",
+                     "us_per_contact_step",
                      "status"};
 const Row keys = {"scene", "method", "step", "rtol"};
 
@@ -21,7 +33,8 @@ Row stage_row(const Problem& problem, const MethodChoice& method, const Budget& 
     const Expense expense = expense_of(scene, {}, budget);
     const StepReport& report = expense.report;
     const SteppingStatistics& all = report.all_steps;
-    const double contacts = static_cast<double>(report.most_contacts * std::max<std::size_t>(1, report.steps.accepted));
+    const double contacts =
+        static_cast<double>(report.most_contacts * std::max<std::size_t>(1, report.steps.accepted));
     const double evaluations = static_cast<double>(std::max<std::size_t>(1, all.contact_evaluations));
     const double named = report.times.detection + all.contact_time + all.jacobian_time + all.solve_time;
     return {problem.name,
@@ -55,7 +68,8 @@ std::vector<Case> stage_cases(const ReportRequest& request) {
     if (!wanted(request, "stages")) {
         return cases;
     }
-    for (const Problem& problem : {incline_problem(), stack_problem(request.quick), pile_problem(request.quick)}) {
+    for (const Problem& problem :
+         {incline_problem(), stack_problem(request.quick), pile_problem(request.quick)}) {
         for (const MethodChoice& method :
              {adaptive_bdf(2, 1e-2), adaptive_bdf(2, 1e-4), explicit_method(SteppingMethod::verlet, 1e-5)}) {
             if (!table->has({problem.name, method.name(), method.step(), method.rtol()})) {

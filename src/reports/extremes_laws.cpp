@@ -28,15 +28,14 @@ Problem friction_problem(double friction) {
             (simulation.file_motion(1).pose.position - simulation.bodies()[1].start.pose.position) / edge;
         return Values{moved.dot(odd_direction()), moved.dot(odd_direction().cross(Vec3::UnitZ()))};
     };
-    const double acceleration =
-        std::max(0.0, earth_gravity * (std::sin(slope) - friction * std::cos(slope)));
+    const double acceleration = std::max(0.0, earth_gravity * (std::sin(slope) - friction * std::cos(slope)));
     problem.model = [=](double time) { return Values{acceleration * time * time / 2 / edge, 0}; };
     problem.last_only = true;
     return problem;
 }
 
-/// Height [m] of a cube that falls flat from 0.02 m, after a time [s]: Eq. (5.7) on a face, by many small steps of
-/// the classical Runge–Kutta method.
+/// Height [m] of a cube that falls flat from 0.02 m, after a time [s]: Eq. (5.7) on a face, by many small
+/// steps of the classical Runge–Kutta method.
 double fallen(double ratio, double frequency, double time) {
     const auto acceleration = [&](double height, double velocity) {
         const double push = -frequency * frequency * height - 2 * ratio * frequency * velocity;

@@ -1,5 +1,5 @@
-// A cube that settles on the floor: stiff and soft, small and large, light and heavy gravity, far away, by any step, and
-// in other units.
+// A cube that settles on the floor: stiff and soft, small and large, light and heavy gravity, far away, by
+// any step, and in other units.
 
 #include <cmath>
 

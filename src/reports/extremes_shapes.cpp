@@ -42,8 +42,8 @@ Problem bricks(int wide, int high) {
     return problem;
 }
 
-/// Two cubes that meet edge on edge, exactly parallel or nearly so, without gravity and damping: what they had of
-/// energy they keep.
+/// Two cubes that meet edge on edge, exactly parallel or nearly so, without gravity and damping: what they
+/// had of energy they keep.
 Problem parallel_edges(double twist) {
     Problem problem;
     SceneDescription& scene = problem.scene = bare_scene("edges", 0.05, 10);
@@ -84,7 +84,8 @@ void add_shapes(std::vector<Extreme>& all, const std::filesystem::path& folder, 
     for (const char* mesh : {"tetrahedron", "icosahedron"}) {
         Settling settling;
         settling.shape = shipped_mesh(mesh, settling.edge);
-        all.push_back({"faces", mesh == std::string("tetrahedron") ? "4" : "20", settling_problem(settling), 0.3});
+        all.push_back(
+            {"faces", mesh == std::string("tetrahedron") ? "4" : "20", settling_problem(settling), 0.3});
     }
     for (const int points : {100, 2502}) {
         Settling settling;
@@ -96,14 +97,19 @@ void add_shapes(std::vector<Extreme>& all, const std::filesystem::path& folder, 
     }
     for (const double count : {30.0, 100.0}) {
         if (!quick || count < 100) {
-            all.push_back({"stack", cell(count), standing_cubes("stack", 1, 1e11, std::vector<double>(static_cast<std::size_t>(count), 2.6)), 1e-4});
+            all.push_back(
+                {"stack", cell(count),
+                 standing_cubes("stack", 1, 1e11, std::vector<double>(static_cast<std::size_t>(count), 2.6)),
+                 1e-4});
         }
     }
     if (quick) {
-        all.push_back({"stack", "100", standing_cubes("stack", 0.2, 1e11, std::vector<double>(100, 2.6)), 1e-4});
+        all.push_back(
+            {"stack", "100", standing_cubes("stack", 0.2, 1e11, std::vector<double>(100, 2.6)), 1e-4});
     }
     for (const double ratio : {1e3, 1e6, 1e9}) {
-        all.push_back({"mass ratio", cell(ratio), standing_cubes("mass_ratio", 1, 1e12, {1e-3, 1e-3 * ratio}), 1e-4});
+        all.push_back(
+            {"mass ratio", cell(ratio), standing_cubes("mass_ratio", 1, 1e12, {1e-3, 1e-3 * ratio}), 1e-4});
     }
     all.push_back({"aligned", "cube on cube", bricks(1, 2)});
     all.push_back({"aligned", "coplanar sides", bricks(2, 2)});

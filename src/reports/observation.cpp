@@ -78,8 +78,8 @@ Observation observe_run(const Problem& problem, const MethodChoice& method, cons
 Isolated isolated_row(const std::function<Row()>& work, const Budget& budget) {
     constexpr std::uintmax_t memory = std::uintmax_t{4} << 30;
     try {
-        const std::string text = run_isolated([&] { return csv_line(work()) + "\n"; },
-                                              {budget.limit(), memory, "the program"});
+        const std::string text =
+            run_isolated([&] { return csv_line(work()) + "\n"; }, {budget.limit(), memory, "the program"});
         const std::vector<Row> rows = csv_rows(text);
         return rows.size() == 1 ? Isolated{true, rows.front(), ""} : Isolated{false, {}, "no answer"};
     } catch (const IsolationError& error) {

@@ -101,7 +101,8 @@ std::string Page::markdown() const {
         all += all.empty() ? "" : "\n";
         switch (part.kind) {
             case Kind::heading:
-                all += together({std::string(static_cast<std::size_t>(part.level), '#'), " ", part.text, "\n"});
+                all +=
+                    together({std::string(static_cast<std::size_t>(part.level), '#'), " ", part.text, "\n"});
                 break;
             case Kind::text:
                 all += together({part.text, "\n"});

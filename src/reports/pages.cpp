@@ -49,8 +49,8 @@ void add_stable_cells(const Table& table, std::vector<Row>& rows) {
         return together({std::to_string(stable), " of ", std::to_string(all)});
     };
     if (!table.rows().empty()) {
-        rows.push_back({"extreme cases stable: bdf2 adaptive; Bullet, defaults and best", stable_of("bdf2", true),
-                        stable_of("bullet", false), ""});
+        rows.push_back({"extreme cases stable: bdf2 adaptive; Bullet, defaults and best",
+                        stable_of("bdf2", true), stable_of("bullet", false), ""});
         rows.push_back({"extreme cases stable: velocity Verlet", stable_of("verlet", false), "", ""});
     }
 }
@@ -60,9 +60,10 @@ void add_steps(const Table& table, std::vector<Row>& rows) {
         const std::string& method = table.at(row, "method");
         if ((method == "bdf2" || method == "verlet") && table.at(row, "Y") == "1e+11") {
             const bool open = table.at(row, "limit") == "none found";
-            rows.push_back({together({"greatest stable step of ", method, " at Y = 1e11 Pa"}),
-                            together({open ? "0.1 s and more" : shown(table.number(row, "step")), open ? "" : " s"}),
-                            "", ""});
+            rows.push_back(
+                {together({"greatest stable step of ", method, " at Y = 1e11 Pa"}),
+                 together({open ? "0.1 s and more" : shown(table.number(row, "step")), open ? "" : " s"}), "",
+                 ""});
         }
     }
 }

@@ -39,19 +39,22 @@ std::string data_of(const Series& series, std::size_t number) {
     return text;
 }
 
-std::string script_of(const Plot& plot, const std::vector<Series>& series, const std::filesystem::path& file) {
+std::string script_of(const Plot& plot, const std::vector<Series>& series,
+                      const std::filesystem::path& file) {
     std::string text =
-        "set terminal svg size 900,480 font \"sans-serif,13\" background \"white\" dynamic\n"
+        "set terminal svg size 960,500 font \"sans-serif,13\" background \"white\" dynamic\n"
         "set logscale xy\nset format \"10^{%L}\"\nset grid lc rgb \"#dddddd\"\nset border 3\n"
-        "set tics nomirror\nset key outside right top\n";
+        "set tics nomirror\nset key outside right top samplen 2 font \",11\"\n";
     text += together({"set output ", quoted(file.string()), "\nset title ", quoted(plot.title),
-                      " noenhanced\nset xlabel ", quoted(plot.x_label), "\nset ylabel ", quoted(plot.y_label), "\n"});
+                      " noenhanced\nset xlabel ", quoted(plot.x_label), "\nset ylabel ", quoted(plot.y_label),
+                      "\n"});
     std::string lines;
     for (std::size_t i = 0; i < series.size(); ++i) {
         text += data_of(series[i], i);
-        lines += together({lines.empty() ? "plot " : ", ", "$data", std::to_string(i), " with linespoints pt ",
-                           std::to_string(4 + i % 10), " ps 0.6 lc rgb \"", colours[i % std::size(colours)], "\"",
-                           series[i].dashed ? " dt 2" : "", " title ", quoted(series[i].title), " noenhanced"});
+        lines +=
+            together({lines.empty() ? "plot " : ", ", "$data", std::to_string(i), " with linespoints pt ",
+                      std::to_string(4 + i % 10), " ps 0.6 lc rgb \"", colours[i % std::size(colours)], "\"",
+                      series[i].dashed ? " dt 2" : "", " title ", quoted(series[i].title), " noenhanced"});
     }
     return together({text, lines, "\n"});
 }

@@ -25,12 +25,12 @@ struct Problem {
     std::function<Values(double time)> rigid;
     /// The outcome of the force model in closed form; null: two methods have to agree on it.
     std::function<Values(double time)> model;
-    bool last_only = false;  ///< the end decides; else every output time does
-    bool chaotic = false;    ///< single paths mean nothing: values are those of the whole
-    bool no_bullet = false;  ///< what only a soft contact can do
+    bool last_only = false;    ///< the end decides; else every output time does
+    bool chaotic = false;      ///< single paths mean nothing: values are those of the whole
+    bool no_bullet = false;    ///< what only a soft contact can do
     bool free_flight = false;  ///< nothing touches
-    /// Where the model has no closed form: the first says what comes out, the others how far to trust it. Of a
-    /// chaotic problem it is their mean.
+    /// Where the model has no closed form: the first says what comes out, the others how far to trust it. Of
+    /// a chaotic problem it is their mean.
     std::vector<MethodChoice> references;
 };
 

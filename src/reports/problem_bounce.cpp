@@ -111,7 +111,8 @@ Problem bounce_problem() {
     problem.name = "bounce";
     problem.purpose =
         "A cube of 0.1 m falls flat from 0.05 m and bounces three times; on its face the law is a linear "
-        "spring and dashpot, here of damping ratio 0.1, which rigid bodies have as a restitution of 0.73. The "
+        "spring and dashpot, here of damping ratio 0.1, which rigid bodies have as a restitution of 0.73. "
+        "The "
         "error is the largest difference in height at eight times, over the height of the fall.";
     SceneDescription& scene = problem.scene = bare_scene("bounce", 0.4, 8);
     MaterialDescription& rock = scene.materials["rock"];

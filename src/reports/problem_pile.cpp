@@ -66,10 +66,12 @@ Problem pile_problem(bool quick) {
     Problem problem;
     problem.name = "pile";
     problem.purpose =
-        "Sixteen mesh stones of 5 cm fall into a box and settle for 0.6 s. Paths are chaotic, so the whole is "
+        "Sixteen mesh stones of 5 cm fall into a box and settle for 0.6 s. Paths are chaotic, so the whole "
+        "is "
         "compared: mean position, in sizes of a stone, energy over weight and size, contacts a stone over "
         "ten, and the fabric, the mean of n nᵀ. The error is the largest difference from the mean of several "
-        "fine runs; these differ among themselves by as much as is said below, and less than that means nothing.";
+        "fine runs; these differ among themselves by as much as is said below, and less than that means "
+        "nothing.";
     SceneDescription& scene = problem.scene = bare_scene("pile", 0.6, 12);
     scene.materials["rock"].youngs_modulus = 1e7;
     add_floor(scene);
@@ -95,9 +97,7 @@ Problem pile_problem(bool quick) {
     problem.references = {adaptive_bdf(2, 1e-3), adaptive_bdf(2, 9e-4),
                           explicit_method(SteppingMethod::verlet, 2e-5)};
     if (!quick) {
-        problem.references = {adaptive_bdf(2, 1e-4),
-                              adaptive_bdf(2, 2e-4),
-                              adaptive_bdf(1, 3e-4),
+        problem.references = {adaptive_bdf(2, 1e-4), adaptive_bdf(2, 2e-4), adaptive_bdf(1, 3e-4),
                               explicit_method(SteppingMethod::verlet, 5e-6),
                               explicit_method(SteppingMethod::verlet, 4e-6)};
     }

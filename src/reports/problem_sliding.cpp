@@ -68,7 +68,8 @@ Problem sliding_to_rest_problem() {
     Problem problem;
     problem.name = "sliding_to_rest";
     problem.purpose =
-        "A cube of 0.1 m slides at 1 m/s in an odd direction until friction 0.5 has stopped it: after v/(μ g), "
+        "A cube of 0.1 m slides at 1 m/s in an odd direction until friction 0.5 has stopped it: after v/(μ "
+        "g), "
         "and v²/(2 μ g) farther. The error is the largest difference in place, in edges, or in turn [rad].";
     SceneDescription& scene = problem.scene = bare_scene("sliding_to_rest", 0.3, 3);
     scene.shapes["cube"] = shipped_mesh("cube", edge);

@@ -87,7 +87,8 @@ Problem stack_problem(bool quick) {
 Problem mass_ratio_problem() {
     Problem problem = standing_cubes("mass_ratio", 2, 1e11, {1, 1000});
     problem.purpose =
-        "A cube of 1 kg bears one of 1000 kg for two seconds. The error is the largest distance along an axis "
+        "A cube of 1 kg bears one of 1000 kg for two seconds. The error is the largest distance along an "
+        "axis "
         "from where a cube would be if it were rigid, in edges.";
     return problem;
 }

@@ -146,14 +146,16 @@ Problem free_top_problem(bool quick) {
     Problem problem;
     problem.name = "free_top";
     problem.purpose =
-        "A free plate whose moments are nearly as 1 : 2 : 3 tumbles at 2.4 rad/s; Jacobi's elliptic functions "
-        "say where it looks. The error is the largest difference in the components of its axes, in energy, or "
+        "A free plate whose moments are nearly as 1 : 2 : 3 tumbles at 2.4 rad/s; Jacobi's elliptic "
+        "functions "
+        "say where it looks. The error is the largest difference in the components of its axes, in energy, "
+        "or "
         "in angular momentum, over their first values.";
     SceneDescription& scene = problem.scene = bare_scene("free_top", quick ? 10 : 100, 10);
     scene.gravity.setZero();
     scene.shapes["plate"] = BoxShape{edges};
     add_body(scene, "plate", Vec3::Zero()).angular_velocity = first_spin;
-    problem.quantities = {"axis 1 x", "axis 1 y", "axis 1 z", "axis 2 x", "axis 2 y", "axis 2 z",
+    problem.quantities = {"axis 1 x", "axis 1 y", "axis 1 z", "axis 2 x", "axis 2 y",        "axis 2 z",
                           "axis 3 x", "axis 3 y", "axis 3 z", "energy",   "angular momentum"};
     problem.observe = observe;
     problem.rigid = exact;

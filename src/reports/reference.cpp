@@ -101,14 +101,10 @@ Table reference_table(const std::filesystem::path& folder) {
 
 Row reference_row(const Problem& problem, const MethodChoice& method, const Budget& budget) {
     const Observation seen = observe_run(problem, method, budget);
-    return {problem.name,
-            method.name(),
-            method.step(),
-            method.rtol(),
-            method.settings(),
-            seen.finished ? "done" : seen.message,
-            cell(seen.seconds),
-            packed_samples(seen.samples)};
+    return {problem.name,       method.name(),
+            method.step(),      method.rtol(),
+            method.settings(),  seen.finished ? "done" : seen.message,
+            cell(seen.seconds), packed_samples(seen.samples)};
 }
 
 std::vector<Values> rigid_samples(const Problem& problem) {

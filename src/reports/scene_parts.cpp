@@ -58,7 +58,11 @@ Vec3 odd_direction() {
     return {std::cos(azimuth), std::sin(azimuth), 0};
 }
 
-std::filesystem::path write_round_stone(const std::filesystem::path& folder, int points) {
+std::filesystem::path meshes_folder(const std::filesystem::path& report) {
+    return report / "meshes";
+}
+
+std::filesystem::path write_round_stone(const std::filesystem::path& report, int points) {
     std::mt19937_64 random(static_cast<std::uint64_t>(points));
     const auto uniform = [&] { return std::ldexp(static_cast<double>(random() >> 11), -53); };
     std::string text;
@@ -66,13 +70,14 @@ std::filesystem::path write_round_stone(const std::filesystem::path& folder, int
         const double z = 2 * uniform() - 1;
         const double turn = 2 * std::acos(-1) * uniform();
         const double r = std::sqrt(1 - z * z);
-        text += "v " + std::to_string(0.5 * r * std::cos(turn)) + " " + std::to_string(0.45 * r * std::sin(turn)) +
-                " " + std::to_string(0.4 * z) + "\n";
+        text += "v " + std::to_string(0.5 * r * std::cos(turn)) + " " +
+                std::to_string(0.45 * r * std::sin(turn)) + " " + std::to_string(0.4 * z) + "\n";
     }
     for (int i = 1; i + 2 <= points; ++i) {
         text += "f " + std::to_string(i) + " " + std::to_string(i + 1) + " " + std::to_string(i + 2) + "\n";
     }
-    const std::filesystem::path file = folder / ("stone_" + std::to_string(points) + ".obj");
+    std::filesystem::create_directories(meshes_folder(report));
+    const std::filesystem::path file = meshes_folder(report) / ("stone_" + std::to_string(points) + ".obj");
     write_whole(file, text);
     return file;
 }

@@ -31,7 +31,10 @@ double sunk_depth(double load, double volume, double area, double youngs_modulus
 /// A direction in the x–y plane that is along no axis.
 Vec3 odd_direction();
 
+/// Where the meshes of a report are while it is made.
+std::filesystem::path meshes_folder(const std::filesystem::path& report);
+
 /// Writes points spread over an ellipsoid of half axes 0.5, 0.45 and 0.4 as a mesh whose hull is the stone.
-std::filesystem::path write_round_stone(const std::filesystem::path& folder, int points);
+std::filesystem::path write_round_stone(const std::filesystem::path& report, int points);
 
 }  // namespace scree

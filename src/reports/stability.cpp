@@ -11,22 +11,35 @@ namespace scree {
 
 namespace {
 
-const Row columns = {"axis",   "value",           "method",          "step",        "rtol",
-                     "settings", "status",          "number",          "decided_by",  "limit",
-                     "told",   "energy_residual", "energy_invented", "momentum_residual", "largest_overlap",
-                     "reached", "seconds"};
+const Row columns = {"axis",
+                     "value",
+                     "method",
+                     "step",
+                     "rtol",
+                     "settings",
+                     "status",
+                     "number",
+                     "decided_by",
+                     "limit",
+                     "told",
+                     "energy_residual",
+                     "energy_invented",
+                     "momentum_residual",
+                     "largest_overlap",
+                     "reached",
+                     "seconds"};
 const Row keys = {"axis", "value", "method", "step", "rtol", "settings"};
 
-constexpr double gone = 1;           // an error of a body's size or all of a velocity: nothing is right
-constexpr double invented = 0.1;     // of the scale of energies
+constexpr double gone = 1;               // an error of a body's size or all of a velocity: nothing is right
+constexpr double invented = 0.1;         // of the scale of energies
 constexpr double clear_residual = 0.01;  // that the run's own account shows
 
 Row row_keys(const Extreme& extreme, const MethodChoice& method) {
     return {extreme.axis, extreme.value, method.name(), method.step(), method.rtol(), method.settings()};
 }
 
-/// What energies [J] and momenta [kg m/s] are measured by: what the scene starts with, and a fall of every body by
-/// its size.
+/// What energies [J] and momenta [kg m/s] are measured by: what the scene starts with, and a fall of every
+/// body by its size.
 struct Scales {
     double energy = 0;
     double momentum = 0;
@@ -74,17 +87,19 @@ Accounts accounts_of(const Observation& seen, const MethodChoice& method, const 
     if (method.by_bullet()) {
         const double gained = energy.kinetic + energy.gravity - scales.start;
         accounts.residual = accounts.momentum = std::numeric_limits<double>::quiet_NaN();  // it keeps none
-        accounts.invented = std::max(0.0, gained) / std::max(scales.energy, std::numeric_limits<double>::min());
+        accounts.invented =
+            std::max(0.0, gained) / std::max(scales.energy, std::numeric_limits<double>::min());
         return accounts;
     }
     const double start = energy.held() + lost(energy) - energy.work_applied - energy.residual;
     // What is stored at first is known against a half-space alone; else what came of it says how much it was.
-    const double stored = std::max(0.0, start - scales.start) + std::abs(energy.normal_elastic) + lost(energy);
+    const double stored =
+        std::max(0.0, start - scales.start) + std::abs(energy.normal_elastic) + lost(energy);
     const double scale = std::max(scales.energy + stored, std::numeric_limits<double>::min());
     accounts.residual = energy.residual / scale;
     accounts.invented = std::max(0.0, energy.residual - lost(energy)) / scale;
-    accounts.momentum = seen.report.momentum_residual.norm() /
-                        std::max(scales.momentum, std::numeric_limits<double>::min());
+    accounts.momentum =
+        seen.report.momentum_residual.norm() / std::max(scales.momentum, std::numeric_limits<double>::min());
     return accounts;
 }
 
@@ -127,8 +142,10 @@ Verdict verdict_of(const Extreme& extreme, const Observation& seen, const std::v
     }
     const Difference error = largest_difference(seen.samples, wanted);
     const bool right = error.value <= extreme.limit;
-    return {right ? "stable" : error.value <= gone ? "inaccurate" : "failed", error.value,
-            extreme.problem.quantities[error.quantity]};
+    return {right                 ? "stable"
+            : error.value <= gone ? "inaccurate"
+                                  : "failed",
+            error.value, extreme.problem.quantities[error.quantity]};
 }
 
 Row measured(const Extreme& extreme, const MethodChoice& method, const Budget& budget) {
@@ -139,10 +156,10 @@ Row measured(const Extreme& extreme, const MethodChoice& method, const Budget& b
     const Accounts accounts = accounts_of(seen, method, scales);
     const Verdict verdict = verdict_of(extreme, seen, expected(extreme, method, budget), accounts);
     Row row = row_keys(extreme, method);
-    row.insert(row.end(), {verdict.status, cell(verdict.number), verdict.by, cell(extreme.limit),
-                           told(seen, accounts), cell(accounts.residual), cell(accounts.invented),
-                           cell(accounts.momentum), cell(seen.report.largest_overlap), cell(seen.reached),
-                           cell(seen.seconds)});
+    row.insert(row.end(),
+               {verdict.status, cell(verdict.number), verdict.by, cell(extreme.limit), told(seen, accounts),
+                cell(accounts.residual), cell(accounts.invented), cell(accounts.momentum),
+                cell(seen.report.largest_overlap), cell(seen.reached), cell(seen.seconds)});
     return row;
 }
 
@@ -173,7 +190,9 @@ std::vector<Extreme> extremes(const std::filesystem::path& folder, bool quick) {
 
 std::vector<MethodChoice> stability_methods(double end_time, bool quick) {
     const double fine = end_time / (quick ? 2e4 : 2e5);
-    std::vector<MethodChoice> methods = {adaptive_bdf(1, 1e-3), adaptive_bdf(2, 1e-3), adaptive_bdf(5, 1e-3),
+    std::vector<MethodChoice> methods = {adaptive_bdf(1, 1e-3),
+                                         adaptive_bdf(2, 1e-3),
+                                         adaptive_bdf(5, 1e-3),
                                          fixed_bdf(2, end_time / 1000),
                                          explicit_method(SteppingMethod::symplectic_euler, fine),
                                          explicit_method(SteppingMethod::verlet, fine),

@@ -15,10 +15,30 @@ struct Extreme {
     std::string axis;   ///< what is varied
     std::string value;  ///< to what
     Problem problem;
-    double limit = 1e-2;          ///< an error above it is inaccurate
+    double limit = 1e-2;                  ///< an error above it is inaccurate
     std::vector<MethodChoice> methods{};  ///< empty: the usual ones
     std::optional<Problem> twin{};  ///< must come out alike, by the same method, in place of a known end
 };
+
+/// What they vary, for `only`.
+constexpr const char* axes[] = {"Y [Pa]",
+                                "step",
+                                "size [m]",
+                                "gravity [g]",
+                                "origin [m]",
+                                "units",
+                                "sliver plate",
+                                "sliver needle",
+                                "faces",
+                                "stack",
+                                "mass ratio",
+                                "aligned",
+                                "friction",
+                                "damping [critical]",
+                                "spin [rad/s]",
+                                "spin on the floor [rad/s]",
+                                "speed at a thin wall [m/s]",
+                                "overlap [size]"};
 
 /// All of them.
 std::vector<Extreme> extremes(const std::filesystem::path& folder, bool quick);
@@ -31,11 +51,11 @@ void add_impacts(std::vector<Extreme>& all, bool quick);
 
 /// A body let go a little above the floor, slightly tilted, which must come to rest on it.
 struct Settling {
-    double edge = 0.1;             ///< [m], of the cube, or the scale of the mesh
-    double gravity = 9.81;         ///< [m/s²]
-    double youngs_modulus = 1e9;   ///< [Pa]
-    double density = 2600;         ///< [kg/m³]
-    Vec3 place = Vec3::Zero();     ///< [m], of the floor's origin
+    double edge = 0.1;                      ///< [m], of the cube, or the scale of the mesh
+    double gravity = 9.81;                  ///< [m/s²]
+    double youngs_modulus = 1e9;            ///< [Pa]
+    double density = 2600;                  ///< [kg/m³]
+    Vec3 place = Vec3::Zero();              ///< [m], of the floor's origin
     std::optional<ShapeDescription> shape;  ///< in place of the cube
 };
 Problem settling_problem(const Settling& settling);

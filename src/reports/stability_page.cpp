@@ -21,8 +21,8 @@ std::string verdict_of(const Table& table, const Row& row) {
     const std::string& status = table.at(row, "status");
     const std::string silent = status != "stable" && table.at(row, "told").empty() ? ", silent" : "";
     const std::string number = shown(table.number(row, "number"));
-    return together({status, " ", number, status == "stable" ? "" : together({" (", table.at(row, "decided_by"), ")"}),
-                     silent});
+    return together({status, " ", number,
+                     status == "stable" ? "" : together({" (", table.at(row, "decided_by"), ")"}), silent});
 }
 
 /// One row a case, one column a method.
@@ -59,7 +59,8 @@ std::vector<Row> counts(const Table& table) {
         count["silent"] += table.at(row, "status") != "stable" && table.at(row, "told").empty() ? 1 : 0;
     }
     const Row words = {"stable", "inaccurate", "failed", "stopped", "silent"};
-    std::vector<Row> rows = {{"method", "stable", "inaccurate", "failed", "stopped", "of the last three, told by nothing"}};
+    std::vector<Row> rows = {
+        {"method", "stable", "inaccurate", "failed", "stopped", "of the last three, told by nothing"}};
     for (auto& [method, count] : by_method) {
         Row& row = rows.emplace_back(Row{method});
         for (const std::string& word : words) {
@@ -79,8 +80,8 @@ std::vector<Row> steps_by_modulus(const Table& table, Plot& plot) {
         if (std::find(moduli.begin(), moduli.end(), modulus) == moduli.end()) {
             moduli.push_back(modulus);
         }
-        by_method[method][modulus] = together({table.at(row, "limit") == "none found" ? "≥ " : "",
-                                               shown(table.number(row, "step"))});
+        by_method[method][modulus] =
+            together({table.at(row, "limit") == "none found" ? "≥ " : "", shown(table.number(row, "step"))});
         series[method].title = method;
         series[method].points.emplace_back(table.number(row, "Y"), table.number(row, "step"));
     }
@@ -109,14 +110,21 @@ void add_stability(const std::filesystem::path& folder, Page& page) {
     }
     page.heading(2, "Stability");
     page.text(
-        "Stiff and extreme cases. Stable: the run finished, invented no energy and ended right within the limit in "
-        "stability.csv; inaccurate: it finished and ended farther off; failed: it did not finish, invented more than a "
-        "tenth of the energy in the scene, or ended off by a body's size or all of a velocity; stopped: it took longer "
-        "than it was given. The number decided it. Silent: neither a message nor the energy residual of the run told "
-        "of it. stability.csv has the residuals of energy and momentum, the energy invented and the largest overlap.");
+        "Stiff and extreme cases. Stable: the run finished, invented no energy and ended right within the "
+        "limit in "
+        "stability.csv; inaccurate: it finished and ended farther off; failed: it did not finish, invented "
+        "more than a "
+        "tenth of the energy in the scene, or ended off by a body's size or all of a velocity; stopped: it "
+        "took longer "
+        "than it was given. The number decided it. Silent: neither a message nor the energy residual of the "
+        "run told "
+        "of it. stability.csv has the residuals of energy and momentum, the energy invented and the largest "
+        "overlap.");
     page.text(
-        "Explicit methods get a fixed number of steps for the time that a case takes, Bullet's solver its default of "
-        "1/240 s and ten iterations, and as its best a thousandth of a second, 50 iterations and separating axes.");
+        "Explicit methods get a fixed number of steps for the time that a case takes, Bullet's solver its "
+        "default of "
+        "1/240 s and ten iterations, and as its best a thousandth of a second, 50 iterations and separating "
+        "axes.");
     if (!table.rows().empty()) {
         page.table(counts(table)).table(matrix(table));
     }
@@ -124,7 +132,8 @@ void add_stability(const std::filesystem::path& folder, Page& page) {
         Plot plot{"greatest stable step of a cube at rest", "Y [Pa]", "step [s]", {}};
         const std::vector<Row> rows = steps_by_modulus(steps, plot);
         page.heading(3, "Greatest stable step");
-        page.text("With which a cube of 0.1 m stays at rest for 400 steps, in seconds; the search ends at 0.1 s.");
+        page.text(
+            "With which a cube of 0.1 m stays at rest for 400 steps, in seconds; the search ends at 0.1 s.");
         if (draw(plot, folder / "stable_steps.svg")) {
             page.picture("stable_steps.svg", "Greatest stable step over Young's modulus.");
         }

@@ -69,7 +69,7 @@ Row measured(const MethodChoice& method, double youngs_modulus) {
         (stable(method, youngs_modulus, middle) ? low : high) = middle;
         ++runs;
     }
-    return {method.name(), cell(youngs_modulus), cell(all ? high : low), all ? "none found" : "reached",
+    return {method.name(),     cell(youngs_modulus), cell(all ? high : low), all ? "none found" : "reached",
             method.settings(), std::to_string(runs)};
 }
 
@@ -107,8 +107,8 @@ std::vector<Case> stable_step_cases(const ReportRequest& request) {
                                  const Isolated answer =
                                      isolated_row([&] { return measured(method, modulus); }, budget);
                                  table->add(answer.done ? answer.row
-                                                        : Row{method.name(), cell(modulus), "", answer.message,
-                                                              method.settings(), ""});
+                                                        : Row{method.name(), cell(modulus), "",
+                                                              answer.message, method.settings(), ""});
                              }});
         }
     }

@@ -89,6 +89,14 @@ int DynamicsWorld::body_number(const btCollisionObject& body) const {
     return implementation_->bodies().number(body);
 }
 
+void DynamicsWorld::save(StateWriter& with) const {
+    implementation_->save(with);
+}
+
+void DynamicsWorld::restore(StateReader& with) {
+    implementation_->restore(with, *this, getGravity().length());
+}
+
 int DynamicsWorld::stepSimulation(btScalar time, int max_ticks, btScalar tick) {
     const std::size_t before = step_report().ticks;
     const int asked = btDiscreteDynamicsWorld::stepSimulation(time, max_ticks, tick);

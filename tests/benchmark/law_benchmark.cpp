@@ -1,89 +1,105 @@
-// What a contact costs with a law of one's own, against the built-in one: nanoseconds of processor time per
-// evaluation, overlap and all, as the median of several repetitions. A law that gives its derivative costs
-// what the built-in one does, for it is the same code; one that gives none is asked nine times more where
-// Newton wants the derivative.
+// Nanoseconds of processor time per contact, overlap included, with each switch of the law off and on.
 
-#include <algorithm>
 #include <cstdio>
-#include <ctime>
-#include <functional>
-#include <vector>
 
-#include <demos/cohesion/sintering_law.hpp>
-#include <demos/hertz_mindlin/hertz_mindlin_law.hpp>
-#include <tests/support/step_case.hpp>
+#include <scree/contact/hertz_mindlin.hpp>
+
+#include <tests/benchmark/scenarios.hpp>
 
 using namespace scree;
 using namespace scree::test;
 
 namespace {
 
-constexpr int contacts = 256;
-constexpr int rounds = 40;
-constexpr int repetitions = 15;
-
-struct SameWithoutDerivative {
-    BuiltInLaw<LawParts{}> law;
-    void operator()(const ContactInput& in, ContactForce& out) const { law(in, out); }
-};
-
-struct ThroughFunction {
-    static constexpr bool gives_rates = true;
-    static constexpr bool gives_power = true;
-    std::function<void(const ContactInput&, ContactForce&)> law = BuiltInLaw<LawParts{}>{};
-    void operator()(const ContactInput& in, ContactForce& out) const { law(in, out); }
-};
-
-// As many bodies of a shape on a half-space, a thousandth of their size deep, askew.
-StepCase bodies_on_ground(const Shape& shape) {
-    Random random(3);
+template <class Law>
+double contact_time(const Scenario& s, const PairMaterial& material, const Law& law, Detail detail) {
     StepCase step;
-    for (int i = 0; i < contacts; ++i) {
-        const Quat turn = random.rotation();
-        const double low = reach_along(shape, turn.conjugate() * -Vec3::UnitZ());
-        step.add_body(shape, {Vec3(3.0 * i, 0, low - 1e-3), turn}, Vec3(1e-3, 2e-3, 0), Vec3(0, 0.01, 0));
+    step.material = material;
+    for (const Pose& pose : s.poses_a) {
+        step.add_body(s.a, pose, Vec3(1e-3, 2e-3, 0), Vec3(0, 0.01, 0));
     }
-    const int ground = step.add_prescribed(HalfSpace{}, {});
-    for (int i = 0; i < ground; ++i) {
-        step.add_contact(i, ground).history.push({Vec3(0.1, 0.2, 0), Vec3::UnitZ(), 1e6});
+    const int other = step.add_prescribed(s.b, s.pose_b);
+    const ForcesOf<Law> forces(law);
+    for (int i = 0; i < other; ++i) {
+        step.add_contact(i, other);
     }
-    return step;
-}
-
-double nanoseconds(const StepCase& step, const ContactForces& forces, Detail detail) {
     StepProblem problem(step.system, forces);
-    step.begin(problem, 1e-5, 1, detail);
-    std::vector<ContactResult> results(step.system.contacts.size());
-    std::vector<double> times;
-    for (int r = 0; r < repetitions; ++r) {
-        const std::clock_t start = std::clock();
-        for (int i = 0; i < rounds; ++i) {
-            forces.evaluate(step.system.contacts, problem.trial(), problem.formulas(), detail, results);
-        }
-        const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-        times.push_back(1e9 * seconds / (rounds * contacts));
+    step.begin(problem, 1e-9, 1, detail);
+    for (std::size_t i = 0; i < step.system.contacts.size(); ++i) {
+        const ContactForce& law_result = problem.results()[i].law;
+        step.system.contacts[i].history.push(law_result.trial, law_result.cells);
     }
-    std::nth_element(times.begin(), times.begin() + repetitions / 2, times.end());
-    return times[repetitions / 2];
+    std::vector<ContactResult> results(step.system.contacts.size());
+    const std::span<const Contact> contacts(step.system.contacts);
+    return nanoseconds([&](std::size_t i) {
+        forces.evaluate(contacts.subspan(i, 1), problem.trial(), problem.formulas(), detail,
+                        std::span(results).subspan(i, 1));
+    });
 }
 
-template <ContactLaw Law>
-void row(const char* name, const StepCase& step, Law law) {
-    const ForcesOf<Law> forces(std::move(law));
-    std::printf("%-44s %10.0f %16.0f\n", name, nanoseconds(step, forces, Detail::force),
-                nanoseconds(step, forces, Detail::derivative));
+PairMaterial rock() {
+    return {1e7, 0.5, 0.5, 0.5, 2.0 / 7, true};
+}
+
+template <class Law>
+void row(const char* name, const std::vector<Scenario>& scenarios, const PairMaterial& material,
+         const Law& law) {
+    std::printf("%-34s", name);
+    for (const Scenario& s : scenarios) {
+        std::printf(" %8.0f %8.0f", contact_time(s, material, law, Detail::force),
+                    contact_time(s, material, law, Detail::derivative));
+    }
+    std::printf("\n");
+}
+
+template <LawParts parts = LawParts{}>
+void built_in(const char* name, const std::vector<Scenario>& scenarios, const PairMaterial& material,
+              const LawOptions& options = {}) {
+    row(name, scenarios, material, BuiltInLaw<parts>{options});
+}
+
+Scenario balls(Random& random) {
+    Scenario s{"balls", Sphere{1}, Sphere{1}, {}, {}};
+    for (int i = 0; i < poses; ++i) {
+        s.poses_a.push_back({(2 - 1e-3) * random.direction(), random.rotation()});
+    }
+    return s;
 }
 
 }  // namespace
 
 int main() {
-    std::printf("%-44s %10s %16s\n", "[ns]", "force", "and derivative");
-    const StepCase stones = bodies_on_ground(icosahedron(1));
-    row("icosahedra: the built-in law", stones, BuiltInLaw<LawParts{}>{});
-    row("icosahedra: the same through std::function", stones, ThroughFunction{});
-    row("icosahedra: the same, its derivative kept back", stones, SameWithoutDerivative{});
-    row("icosahedra: sintering, a history of its own", stones, SinteringLaw{});
-    const StepCase balls = bodies_on_ground(Sphere{1});
-    row("spheres: the built-in law", balls, BuiltInLaw<LawParts{}>{});
-    row("spheres: Hertz and Mindlin, no derivative", balls, HertzMindlin{});
+    Random random(1);
+    const std::vector<Scenario> scenarios{icosahedra(random), cubes_face_on_face(random),
+                                          cube_on_half_space(random), balls(random)};
+    std::printf("%-34s", "[ns], and with the derivative");
+    for (const char* name : {"icosahedra", "cubes", "on ground", "balls"}) {
+        std::printf(" %17s", name);
+    }
+    std::printf("\n");
+    PairMaterial smooth = rock();
+    smooth.friction = 0;
+    built_in<LawParts{FrictionLaw::none, false, false}>("normal force alone", scenarios, smooth);
+    built_in<LawParts{FrictionLaw::none, false, false}>("  of the potential", scenarios, smooth,
+                                                        {.elasticity = Elasticity::potential});
+    built_in<LawParts{FrictionLaw::cundall_strack, false, false}>("and friction", scenarios, rock());
+    built_in("and torsion: the default", scenarios, rock());
+    PairMaterial material = rock();
+    material.patch_friction = true;
+    built_in("  friction on cells", scenarios, material);
+    material = rock();
+    material.kinetic_friction = 0.3;
+    built_in("  kinetic friction", scenarios, material);
+    material = rock();
+    material.rolling_friction = 0.1;
+    built_in<LawParts{.rolling = true}>("  rolling resistance", scenarios, material);
+    material = rock();
+    material.cohesion = 1;
+    built_in("  cohesion", scenarios, material);
+    built_in("  stiffness by the patch", scenarios, rock(),
+             {.tangential_stiffness = TangentialStiffness::patch});
+    built_in("  normal damping by the patch", scenarios, rock(), {.normal_damping = NormalDamping::patch});
+    built_in("  exact masses", scenarios, rock(), {.reduced_mass = ReducedMass::exact});
+    built_in<LawParts{FrictionLaw::viscous}>("  viscous friction", scenarios, rock());
+    row("Hertz and Mindlin", {scenarios.back()}, rock(), HertzMindlin{});
 }

@@ -38,6 +38,13 @@ TEST_CASE("A scene is described by what a run will use", "[scenes]") {
               "tangential stiffness length, "
               "co-rotation on, reduced mass point");
     check_has(lines, "stepping: bdf, adaptive step, orders 1 to 2, rtol 0.001, atol 1e-06, solver auto");
+    check_has(lines, "output: summary.json bodies.csv energy.csv replay.glb");
+}
+
+TEST_CASE("What a run will write is described", "[scenes]") {
+    check_has(
+        lines_of({"output={\"bodies\":false,\"contacts\":true,\"replay\":false,\"checkpoint_every\":0.5}"}),
+        "output: summary.json energy.csv contacts.csv, a checkpoint every 0.5 s");
 }
 
 TEST_CASE("Pairs are described by what they come to, with the mixing rules", "[scenes]") {

@@ -141,8 +141,10 @@ struct WholeDerivativeLaw {
         ContactGeometry geometry = in.geometry;
         geometry.lever = lever;
         geometry.flat_patch = false;
-        law({geometry, in.motion, in.pair, in.history, in.step, in.arms, in.rates}, out);
+        law({geometry, in.motion, in.pair, in.history, in.step, in.arms, in.rates, nullptr, in.potential},
+            out);
     }
+    [[nodiscard]] bool wants_potential() const { return law.wants_potential(); }
 };
 
 }  // namespace scree::test

@@ -54,6 +54,15 @@ class Group {
     /// Hands states and contact memories back: a meeting.
     void commit(System& whole, std::vector<ContactResult>& results);
 
+    /// What it carries from one meeting to the next.
+    friend void visit_state(auto& with, StateOf<Group> auto& group) {
+        auto& [bodies, options, system, contacts, integrator, start, influences, covers, demand, restart,
+               arrived, failed, asleep, calm, results, leaders] = group;
+        with(start, asleep, calm, results);
+    }
+    /// As after the meeting of which the state is. Throws StateError for one of other bodies and contacts.
+    void go_on(const System& whole, std::span<const std::size_t> contacts);
+
   private:
     [[nodiscard]] bool same_contacts(const System& whole, std::span<const std::size_t> contacts) const;
     bool load_bodies(const System& whole);
@@ -83,7 +92,8 @@ class Group {
     bool arrived_ = false;
     bool failed_ = false;
     bool asleep_ = false;
-    std::size_t calm_ = 0;      ///< meetings at which it was at rest, in a row
+    std::size_t calm_ = 0;                ///< meetings at which it was at rest, in a row
+    std::vector<ContactResult> results_;  ///< of a group asleep: what its contacts did when it fell asleep
     std::vector<int> leaders_;  ///< bodies whose contacts keep their whole past at the next load; empty: all
 };
 

@@ -36,6 +36,14 @@ class StateHistory {
     /// `points` values.
     [[nodiscard]] BodyState at(double time, std::size_t body, std::size_t points) const;
 
+    friend void visit_state(auto& with, StateOf<StateHistory> auto& history) {
+        auto& [times, states] = history;
+        std::size_t count = times.size();
+        with.up_to(most, count);
+        with.first(count, times);
+        with.first(count, states);
+    }
+
   private:
     std::vector<double> times_;
     std::vector<std::vector<BodyState>> states_;  ///< at least as many as times

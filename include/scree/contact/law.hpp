@@ -6,6 +6,7 @@
 #include <scree/contact/history.hpp>
 #include <scree/contact/material.hpp>
 #include <scree/contact/motion.hpp>
+#include <scree/overlap/depth_potential.hpp>
 
 namespace scree {
 
@@ -18,10 +19,14 @@ struct ContactInput {
     const ContactHistory& history;
     const FrictionStep& step;
     const PairArms& arms;
-    const MotionRates* rates = nullptr;  ///< set when derivatives are wanted
+    const MotionRates* rates = nullptr;         ///< set when derivatives are wanted
+    const PatchCells* cells = nullptr;          ///< of the patch, for a law that asks for them
+    const DepthPotential* potential = nullptr;  ///< likewise
 };
 
 enum class ContactState { open, stick, slip };
+template <>
+inline constexpr std::uint64_t enumerators<ContactState> = 3;
 
 /// Where the power of a contact goes [W].
 struct ContactPower {
@@ -36,22 +41,30 @@ struct ContactPower {
     double cohesion = 0;            ///< against the pull of cohesion
 };
 
+void visit_state(auto& with, StateOf<ContactPower> auto& power) {
+    auto& [normal_elastic, normal_damping, normal, tangential, tangential_damping, torsion, rolling,
+           cohesion] = power;
+    with(normal_elastic, normal_damping, normal, tangential, tangential_damping, torsion, rolling, cohesion);
+}
+
 /// Which branches of a law its answer came from; its derivative jumps where they change.
 struct ContactRegime {
     ContactState state = ContactState::open;
     bool rolls = false;
+    std::bitset<PatchCells::count> slipping;
 
     bool operator==(const ContactRegime&) const = default;
 };
-
 /// What a contact law answers.
 struct ContactForce {
     Vec3 force = Vec3::Zero();   ///< [N], on A at the centroid; −force on B
     Vec3 moment = Vec3::Zero();  ///< [N m], on A about the centroid; −moment on B
     double normal_force = 0;     ///< fn [N], along the normal; below 0 where cohesion pulls
     FrictionRecord trial;        ///< what the history becomes if the step is accepted
-    ContactState state = ContactState::open;
-    bool rolls = false;  ///< the rolling resistance is at its limit
+    /// What becomes history of the patch's cells; empty or one.
+    std::vector<PatchRecord> cells;
+    ContactState state = ContactState::open;  ///< slip: all cells of a patch are at their limit
+    bool rolls = false;                       ///< the rolling resistance is at its limit
     ContactPower power;
     double normal_energy = 0;          ///< stored [J], where the law has a potential
     double tangential_energy = 0;      ///< stored [J]
@@ -62,8 +75,24 @@ struct ContactForce {
     Mat39 force_rate = Mat39::Zero();  ///< by the nine unknowns of MotionRates, when asked for
     Mat39 moment_rate = Mat39::Zero();
 
-    [[nodiscard]] ContactRegime regime() const { return {state, rolls}; }
+    [[nodiscard]] ContactRegime regime() const {
+        return {state, rolls, cells.empty() ? std::bitset<PatchCells::count>() : cells.front().slipping};
+    }
+    /// As made, but for memory that is kept for the next use.
+    void reset() {
+        cells.clear();
+        std::vector<PatchRecord> kept = std::move(cells);
+        *this = ContactForce{};
+        cells = std::move(kept);
+    }
 };
+void visit_state(auto& with, StateOf<ContactForce> auto& answer) {
+    auto& [force, moment, normal_force, trial, state, rolls, power, normal_energy, tangential_energy,
+           torsional_energy, rolling_energy, cohesive_energy, lost_direction, force_rate, moment_rate] =
+        answer;
+    with(force, moment, normal_force, trial, state, rolls, power, normal_energy, tangential_energy,
+         torsional_energy, rolling_energy, cohesive_energy, lost_direction);
+}
 
 /// A law that remembers nothing but friction: `law(input, force)` fills `force`.
 template <class Law>

@@ -5,6 +5,7 @@
 #include <scree/contact/material.hpp>
 #include <scree/dynamics/prescribed_path.hpp>
 #include <scree/dynamics/restraint.hpp>
+#include <scree/mesh/saved_state.hpp>
 
 namespace scree {
 
@@ -33,6 +34,11 @@ struct Body {
 
     [[nodiscard]] bool dynamic() const { return mass < std::numeric_limits<double>::infinity(); }
 };
+/// What acts on it; the body itself is the same.
+void visit_state(auto& with, StateOf<Body> auto& body) {
+    auto& [mass, inertia, radius, weight, force, torque, path, restraint, rest] = body;
+    with(weight, force, torque);
+}
 
 /// What is integrated. A prescribed body has velocities here, in place of momenta.
 struct BodyState {
@@ -41,6 +47,10 @@ struct BodyState {
     Vec3 momentum = Vec3::Zero();          ///< p [kg m/s]; prescribed: velocity [m/s]
     Vec3 angular_momentum = Vec3::Zero();  ///< L about the mass centre [kg m²/s]; prescribed: ω [rad/s]
 };
+void visit_state(auto& with, StateOf<BodyState> auto& state) {
+    auto& [position, orientation, momentum, angular_momentum] = state;
+    with(position, orientation, momentum, angular_momentum);
+}
 
 /// What the constants of its pairs need to know of a body.
 BodySize body_size(const Body& body);

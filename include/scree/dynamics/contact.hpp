@@ -41,5 +41,11 @@ struct ContactResult {
     bool centre_line = false;
     std::vector<double> own;  ///< the trial record of a law with a history of its own
 };
+/// All but the derivatives.
+void visit_state(auto& with, StateOf<ContactResult> auto& result) {
+    auto& [touching, law, moment_a, moment_b, moment_a_rate, moment_b_rate, point, normal, volume, area,
+           depth, slip_speed, centre_line, own] = result;
+    with(touching, law, moment_a, moment_b, point, normal, volume, area, depth, slip_speed, centre_line, own);
+}
 
 }  // namespace scree

@@ -29,6 +29,8 @@ struct ContactWorkspace {
     OverlapWorkspace overlap;
     ContactGeometry geometry;
     MotionRates rates;
+    PatchCells cells;
+    DepthPotential potential;
     ContactForce law;         ///< of a law that is differenced
     std::vector<double> own;  ///< the same
 };
@@ -40,6 +42,14 @@ ContactWorkspace& second_contact_workspace();
 /// Where the overlap is, and how the bodies move there. Returns false when they do not overlap.
 bool locate(const Contact& contact, const TrialBody& a, const TrialBody& b, Detail detail,
             OverlapWorkspace& workspace, ContactGeometry& geometry, PairArms& arms);
+
+/// The cells of the patch that was located last; null where it has none.
+const PatchCells* locate_cells(const Contact& contact, const TrialBody& a, const FrictionStep& step,
+                               bool co_rotation, ContactWorkspace& workspace);
+
+/// The potential of the overlap that was located last; null for one that is not of two polyhedra.
+const DepthPotential* locate_potential(const Contact& contact, const TrialBody& a, Detail detail,
+                                       ContactWorkspace& workspace);
 
 /// Copies what reports and the assembly need out of a contact's evaluation.
 void settle(const ContactGeometry& geometry, const RelativeMotion& motion, const TrialBody& a,
@@ -86,8 +96,21 @@ class ForcesOf final : public ContactForces {
         if (const Vec3 surface = a.surface_velocity - b.surface_velocity; surface != Vec3::Zero()) {
             add_surface_motion(surface, geometry.normal, motion, rates);
         }
-        ask({geometry, motion, contact.pair, contact.history, friction_step(contact, a, b, formulas), arms,
-             GivesRates<Law> ? rates : nullptr},
+        const FrictionStep step = friction_step(contact, a, b, formulas);
+        const PatchCells* cells = nullptr;
+        if constexpr (requires { law_.wants_cells(contact.pair); }) {
+            if (law_.wants_cells(contact.pair)) {
+                cells = locate_cells(contact, a, step, law_.options.co_rotation, workspace);
+            }
+        }
+        const DepthPotential* potential = nullptr;
+        if constexpr (requires { law_.wants_potential(); }) {
+            if (law_.wants_potential()) {
+                potential = locate_potential(contact, a, detail, workspace);
+            }
+        }
+        ask({geometry, motion, contact.pair, contact.history, step, arms, GivesRates<Law> ? rates : nullptr,
+             cells, potential},
             result.law, result.own);
         if constexpr (!GivesPower<Law>) {
             account_as_lost(geometry, motion, result.law);
@@ -105,7 +128,11 @@ class ForcesOf final : public ContactForces {
         return {formulas.friction(contact.history.age), a.turns, b.turns, formulas.friction_cap};
     }
 
+    /// A law of one's own finds `out` empty.
     void ask(const ContactInput& in, ContactForce& out, std::vector<double>& own) const {
+        if constexpr (!GivesPower<Law>) {
+            out.reset();
+        }
         if constexpr (LawWithHistory<Law>) {
             const OwnRecords<typename Law::History> records(in.history);
             typename Law::History trial{};
@@ -135,7 +162,6 @@ class ForcesOf final : public ContactForces {
                 add_surface_motion(a.surface_velocity - b.surface_velocity, workspace.geometry.normal, motion,
                                    nullptr);
                 ContactForce& there = workspace.law;
-                there = ContactForce();
                 ask({workspace.geometry, motion, contact.pair, contact.history,
                      friction_step(contact, to.a, to.b, formulas), arms},
                     there, workspace.own);

@@ -56,4 +56,8 @@ struct RunSummary {
 /// The text of summary.json.
 std::string summary_json(const RunSummary& summary);
 
+/// Whether a summary.json says that its run is done and has reached the scene's end. One that cannot be read
+/// does not.
+bool is_finished(const std::filesystem::path& file);
+
 }  // namespace scree

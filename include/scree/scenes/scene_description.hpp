@@ -16,10 +16,7 @@
 
 namespace scree {
 
-/// A material as a scene file has it.
-struct MaterialDescription : Material {
-    bool patch_torsion = false;  ///< friction on points of the patch instead of the limit surface
-};
+using MaterialDescription = Material;
 
 /// Replaces those of the mixed constants of two materials that it names.
 struct PairDescription {
@@ -27,7 +24,7 @@ struct PairDescription {
     std::optional<double> youngs_modulus;  ///< [Pa]
     std::optional<double> friction, normal_damping, tangential_damping, tangential_ratio;
     std::optional<bool> torsion;
-    bool patch_torsion = false;
+    bool patch_friction = false;  ///< where torsion is named
     std::optional<double> cohesion, rolling_friction, kinetic_friction;
 };
 
@@ -35,6 +32,7 @@ enum class Parts {
     hull,       ///< the mesh's convex hull
     decompose,  ///< convex pieces that together come near the mesh
     files,      ///< one convex part a file
+    surface,    ///< the surface itself, as ground of any shape
 };
 
 /// A shape from a mesh file.
@@ -84,6 +82,7 @@ struct FillDescription {
 struct SceneDescription {
     std::string name;            ///< of the scene
     std::filesystem::path file;  ///< where it was read; meshes are found beside it
+    std::string text;            ///< JSON that says the same, with what was set from outside; empty: none
     Vec3 gravity{0, 0, -9.81};   ///< [m/s²]
     std::map<std::string, MaterialDescription> materials;
     std::vector<PairDescription> pairs;

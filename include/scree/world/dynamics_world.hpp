@@ -114,6 +114,16 @@ class DynamicsWorld : public btDiscreteDynamicsWorld {
     /// which they were added.
     [[nodiscard]] int body_number(const btCollisionObject& body) const;
 
+    /// All that the motion from here on depends on, as of the end of the last tick; what was changed from
+    /// outside since then is not in it.
+    void save(StateWriter& with) const;
+    /// Goes on where another world was saved that has the same bodies, made in the same way and added in the
+    /// same order, the same materials and the same choices; this one must have no tick behind it. What it
+    /// does from then on is what the other one did, to the last bit. Bullet's manifolds, which are for
+    /// onlookers, come with the next tick. Throws StateError, and is of no use then, where the bodies are
+    /// others.
+    void restore(StateReader& with);
+
     /// As Bullet's, but after a failure it returns the number of ticks that were done.
     int stepSimulation(btScalar time, int max_ticks = 1, btScalar tick = btScalar(1) / 60) override;
     /// Joints are not done: throws std::invalid_argument.
