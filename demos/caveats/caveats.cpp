@@ -106,8 +106,7 @@ void write_noise(const fs::path& file) {
         const double aslant = spring_energy("[1, 0, 1]", std::sqrt(2.0) * acceleration, {});
         const double steady = std::pow(mass * acceleration * gravity, 2) / (4 * stiffness);
         csv << acceleration << ',' << sideways << ',' << undamped << ',' << aslant << ',' << steady << "\n";
-        std::printf("%14.2f %12.3e %12.3e %12.3e %12.3e\n", acceleration, sideways, undamped, aslant,
-                    steady);
+        std::printf("%14.2f %12.3e %12.3e %12.3e %12.3e\n", acceleration, sideways, undamped, aslant, steady);
     }
 }
 
@@ -139,7 +138,7 @@ Creep creep(double edge, const std::string& stiffness) {
     scene.output.every = 20 * step;
     scree::Simulation simulation(scene);
     Creep creep;
-    scree::Vec3 middle;
+    scree::Vec3 middle = scree::Vec3::Zero();
     while (simulation.tick() < simulation.times().last()) {
         advance(simulation);
         const auto results = simulation.world().contact_results();

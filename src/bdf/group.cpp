@@ -76,6 +76,10 @@ void Group::load(System& whole, std::span<const std::size_t> contacts, double ti
         integrator_->restart(time);
         restart_ = false;
         start_ = integrator_->memory();
+        if (asleep_) {
+            const std::span<const ContactResult> own = integrator_->problem().results();
+            results_.assign(own.begin(), own.end());
+        }
         hand_back(whole);
         return;
     }

@@ -89,15 +89,16 @@ void run_once(const SceneDescription& scene, const Running& running, const Budge
         tables.emplace(running.place);
     }
     double seconds = 0;
+    const auto now = [&] { return running.threads > 1 ? seconds_since(loading) : processor_time(); };
     while (simulation.tick() < simulation.times().last() && expense.message.empty()) {
-        const Clock::time_point start = Clock::now();
+        const double start = now();
         if (!simulation.advance()) {
             expense.message = simulation.report().message;
         }
         if (tables) {
             tables->write(simulation);
         }
-        seconds += seconds_since(start);
+        seconds += now() - start;
         if (seconds > budget.seconds && simulation.tick() < simulation.times().last()) {
             expense.message = "stopped after " + cell(budget.seconds) + " s of computing";
         }

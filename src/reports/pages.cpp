@@ -6,6 +6,7 @@
 #include <scree/output/output_folder.hpp>
 
 #include "accuracy.hpp"
+#include "claims.hpp"
 #include "comparison.hpp"
 #include "cost.hpp"
 #include "plot.hpp"
@@ -32,6 +33,14 @@ void add_standings(const Table& table, const std::vector<Problem>& problems, std
             best == nullptr ? "–" : together({shown(best->error), " in ", shown(best->seconds), " s"});
         rows.push_back({together({problem.name, ": error and run time"}), ours, other,
                         best == nullptr ? "" : standing(work).verdict});
+    }
+}
+
+void add_claims(const Table& table, std::vector<Row>& rows) {
+    for (const Row& row : table.rows()) {
+        const double value = table.number(row, "value");
+        rows.push_back({table.at(row, "claim"), together({shown(value), " ", table.at(row, "unit")}), "",
+                        table.at(row, "how")});
     }
 }
 
@@ -90,7 +99,8 @@ std::string shown(double value) {
 }
 
 std::vector<Row> headline(const std::filesystem::path& folder, const std::vector<Problem>& problems) {
-    std::vector<Row> rows = {{"what", "scree", "Bullet's most exact", "scree is"}};
+    std::vector<Row> rows = {{"what", "scree", "Bullet's most exact", "how, or how scree stands"}};
+    add_claims(claims_table(folder), rows);
     add_standings(accuracy_table(folder), problems, rows);
     add_stable_cells(stability_table(folder), rows);
     add_steps(stable_steps_table(folder), rows);

@@ -6,6 +6,7 @@
 
 #include "about.hpp"
 #include "accuracy.hpp"
+#include "claims.hpp"
 #include "cost.hpp"
 #include "pages.hpp"
 #include "scene_parts.hpp"
@@ -21,7 +22,8 @@ void append(std::vector<Case>& all, std::vector<Case> more) {
 
 /// Every name that `only` may have.
 std::vector<std::string> known_names(bool quick) {
-    std::vector<std::string> names = {"stable_steps", "stages", "bodies", "vertices", "threads", "left_out"};
+    std::vector<std::string> names = {"claims",   "stable_steps", "stages",  "bodies",
+                                      "vertices", "threads",      "left_out"};
     for (const Problem& problem : accuracy_problems(quick)) {
         names.push_back(problem.name);
     }
@@ -51,6 +53,7 @@ bool make_report(const ReportRequest& request, const ReportProgress& progress) {
     std::vector<Case> cases;
     if (request.accuracy) {
         append(cases, accuracy_cases(request));
+        append(cases, claim_cases(request));
     }
     if (request.stability) {
         append(cases, stability_cases(request));

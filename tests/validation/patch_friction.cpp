@@ -70,7 +70,8 @@ double stopping_time(const std::string& torsion, const Settings& more = {}) {
     advance(simulation, 20);
     const double left = simulation.body_motion(1).angular_velocity.z();
     advance(simulation, 30);
-    CHECK(std::abs(simulation.body_motion(1).angular_velocity.z()) < 1e-6);
+    // An explicit method leaves the springs swinging for a while.
+    CHECK(std::abs(simulation.body_motion(1).angular_velocity.z()) < (more.empty() ? 1e-6 : 0.01));
     return 0.04 * 5 / (5 - left);
 }
 

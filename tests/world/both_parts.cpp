@@ -161,8 +161,8 @@ TEMPLATE_TEST_CASE("both worlds: a broadphase may be set while the world is empt
     CHECK(world.getBroadphase() == &second);
     btSphereShape ball(0.5);
     btStaticPlaneShape plane(btVector3(0, 0, 1), 0);
-    btRigidBody ground({0, nullptr, &plane});
-    btRigidBody body({1, nullptr, &ball, btVector3(0.1, 0.1, 0.1)});
+    btRigidBody ground(btRigidBody::btRigidBodyConstructionInfo(0, nullptr, &plane));
+    btRigidBody body(btRigidBody::btRigidBodyConstructionInfo(1, nullptr, &ball, btVector3(0.1, 0.1, 0.1)));
     body.setWorldTransform(btTransform(btQuaternion::getIdentity(), btVector3(0, 0, 0.6)));
     world.addRigidBody(&ground);
     world.addRigidBody(&body);

@@ -87,10 +87,10 @@ struct ContactForce {
     }
 };
 void visit_state(auto& with, StateOf<ContactForce> auto& answer) {
-    auto& [force, moment, normal_force, trial, state, rolls, power, normal_energy, tangential_energy,
+    auto& [force, moment, normal_force, trial, cells, state, rolls, power, normal_energy, tangential_energy,
            torsional_energy, rolling_energy, cohesive_energy, lost_direction, force_rate, moment_rate] =
         answer;
-    with(force, moment, normal_force, trial, state, rolls, power, normal_energy, tangential_energy,
+    with(force, moment, normal_force, trial, cells, state, rolls, power, normal_energy, tangential_energy,
          torsional_energy, rolling_energy, cohesive_energy, lost_direction);
 }
 
