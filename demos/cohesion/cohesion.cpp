@@ -17,8 +17,9 @@ constexpr double edge = 0.1;  // [m]
 constexpr double mass = 2.6;  // [kg]
 constexpr double gravity = 9.81;
 constexpr double tick = 0.01;
+constexpr int ticks = 50;
 
-// How far the topmost of a number of cubes has come down in the half second after they were let hang [m].
+// How far the topmost of a number of cubes has come down after they were let hang for half a second [m].
 double sunk(int count, double strength) {
     btDefaultCollisionConfiguration configuration;
     btCollisionDispatcher dispatcher(&configuration);
@@ -44,20 +45,21 @@ double sunk(int count, double strength) {
     clay.density = mass / std::pow(edge, 3);
     clay.youngs_modulus = 1e9;
     clay.friction = 0.5;
-    const auto run = [&](double pull) {
-        world.setGravity({0, 0, pull});
-        for (double time = 0; time < 0.5; time += tick) {
+    // Gravity goes from one value to another [m/s²], slowly, so that nothing swings.
+    const auto run = [&](double from, double to) {
+        for (int i = 1; i <= ticks; ++i) {
+            world.setGravity({0, 0, from + (to - from) * i / ticks});
             world.stepSimulation(tick, 0);
         }
     };
-    world.setGravity({0, 0, gravity});
     for (const auto& body : bodies) {
         world.addRigidBody(body.get());
         world.set_material(*body, clay);
     }
-    run(gravity);
+    run(0, gravity);
     const double height = bodies[1]->getWorldTransform().getOrigin().z();
-    run(-gravity);
+    run(gravity, -gravity);
+    run(-gravity, -gravity);
     const double fallen = height - bodies[1]->getWorldTransform().getOrigin().z();
     for (const auto& body : bodies) {
         world.removeRigidBody(body.get());

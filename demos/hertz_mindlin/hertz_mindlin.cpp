@@ -6,13 +6,22 @@
 
 #include <scree/world/dynamics_world.hpp>
 
-#include "hertz_mindlin_law.hpp"
+#include "elastic_spheres_law.hpp"
 
 namespace {
 
 constexpr double radius = 0.01;   // [m]
 constexpr double density = 2500;  // [kg/m³]
 const double mass = density * 4.0 / 3 * M_PI * std::pow(radius, 3);
+
+// The largest depth of two spheres that collide, δ = (15 m* v²/(16 E* √R*))^(2/5), and how long they touch.
+double hertz_depth(const scree::ElasticSpheres& law, double speed) {
+    const double elastic = 16 * law.effective_modulus() * std::sqrt(radius / 2);
+    return std::pow(15 * (mass / 2) * speed * speed / elastic, 0.4);
+}
+double hertz_duration(const scree::ElasticSpheres& law, double speed) {
+    return 2.9433 * hertz_depth(law, speed) / speed;
+}
 
 // What was seen of a collision.
 struct Collision {
@@ -21,9 +30,9 @@ struct Collision {
     btVector3 before, after;
 };
 
-// Two spheres fly at each other with relative velocity (along, 0, -across) [m/s], scree::DynamicsWorld and
-// all.
-Collision collide(const scree::HertzMindlin& law, double across, double along) {
+// Two spheres fly at each other with relative velocity (along, 0, -across) [m/s], so that they meet one above
+// the other.
+Collision collide(const scree::ElasticSpheres& law, double across, double along) {
     btDefaultCollisionConfiguration configuration;
     btCollisionDispatcher dispatcher(&configuration);
     btDbvtBroadphase pairs;
@@ -41,7 +50,9 @@ Collision collide(const scree::HertzMindlin& law, double across, double along) {
     btRigidBody lower(info);
     btRigidBody upper(info);
     const double gap = 1e-3 * radius;
-    upper.setWorldTransform(btTransform(btQuaternion::getIdentity(), {0, 0, 2 * radius + gap}));
+    // Side by side in the middle of the contact.
+    const double behind = along * (gap / across + 0.5 * hertz_duration(law, across));
+    upper.setWorldTransform(btTransform(btQuaternion::getIdentity(), {-behind, 0, 2 * radius + gap}));
     lower.setLinearVelocity({-along / 2, 0, across / 2});
     upper.setLinearVelocity({along / 2, 0, -across / 2});
     for (btRigidBody* body : {&lower, &upper}) {
@@ -68,25 +79,23 @@ Collision collide(const scree::HertzMindlin& law, double across, double along) {
     return seen;
 }
 
-// Hertz: δ = (15 m* v²/(16 E* √R*))^(2/5), and the time 2.9433 δ/v.
-void head_on(const scree::HertzMindlin& law) {
+void head_on(const scree::ElasticSpheres& law) {
     std::printf(
         "Head on            depth [m]    Hertz        time [s]     Hertz        speed after/before\n");
     for (const double speed : {0.1, 0.3, 1.0, 3.0}) {
         const Collision seen = collide(law, speed, 0);
-        const double depth = std::pow(
-            15 * (mass / 2) * speed * speed / (16 * law.effective_modulus() * std::sqrt(radius / 2)), 0.4);
-        std::printf("%6.2f m/s         %-12.5g %-12.5g %-12.4g %-12.4g %.6f\n", speed, seen.depth, depth,
-                    seen.duration, 2.9433 * depth / speed, seen.after.z() / -seen.before.z());
+        std::printf("%6.2f m/s         %-12.5g %-12.5g %-12.4g %-12.4g %.6f\n", speed, seen.depth,
+                    hertz_depth(law, speed), seen.duration, hertz_duration(law, speed),
+                    seen.after.z() / -seen.before.z());
     }
 }
 
 // A contact that slides all the time takes μ times the normal impulse along with it.
-void grazing(const scree::HertzMindlin& law) {
+void grazing(const scree::ElasticSpheres& law) {
     std::printf(
-        "\nGrazing, 20 m/s    along: taken by the collision    Coulomb: 2 μ times the speed across\n");
+        "\nGrazing            taken along by the collision     Coulomb: 2 μ times the speed across\n");
     for (const double speed : {0.3, 1.0}) {
-        const Collision seen = collide(law, speed, 20);
+        const Collision seen = collide(law, speed, 2 * speed);
         std::printf("%6.2f m/s across  %-12.6g                     %.6g\n", speed,
                     seen.before.x() - seen.after.x(), 2 * law.friction * speed);
     }
@@ -95,8 +104,9 @@ void grazing(const scree::HertzMindlin& law) {
 }  // namespace
 
 int main() {
-    scree::HertzMindlin law;
+    scree::ElasticSpheres law;
     law.youngs_modulus = 5e9;
     head_on(law);
+    law.friction = 0.1;
     grazing(law);
 }

@@ -92,10 +92,15 @@ void Group::load(System& whole, std::span<const std::size_t> contacts, double ti
     integrator_->resume(start_);
 }
 
-// The past as if the forces had been what they are now. The held axes of a restraint take none of it.
+// The past of a body that nothing touches as if the forces had been what they are now: contacts answer a jump
+// within a time that is short against a step. The held axes of a restraint take none of it.
 void Group::assume(std::size_t i) {
     const Body& body = system_.bodies[i];
-    if (body.dynamic() && (!influences_[i].force.isZero(0) || !influences_[i].torque.isZero(0))) {
+    const bool touched =
+        std::any_of(system_.contacts.begin(), system_.contacts.end(), [&](const Contact& contact) {
+            return contact.history.age > 0 && (at(contact.a.body) == i || at(contact.b.body) == i);
+        });
+    if (body.dynamic() && !touched && (!influences_[i].force.isZero(0) || !influences_[i].torque.isZero(0))) {
         const Vec3 along = body.restraint != nullptr ? body.restraint->along : Vec3::Ones();
         const Vec3 around = body.restraint != nullptr ? body.restraint->around : Vec3::Ones();
         start_.past.assume(i, body, along.cwiseProduct(influences_[i].force),

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include <demos/cohesion/sintering_law.hpp>
-#include <demos/hertz_mindlin/hertz_mindlin_law.hpp>
+#include <demos/hertz_mindlin/elastic_spheres_law.hpp>
 #include <tests/support/step_case.hpp>
 
 using namespace scree;
@@ -85,5 +85,5 @@ int main() {
     row("icosahedra: sintering, a history of its own", stones, SinteringLaw{});
     const StepCase balls = bodies_on_ground(Sphere{1});
     row("spheres: the built-in law", balls, BuiltInLaw<LawParts{}>{});
-    row("spheres: Hertz and Mindlin, no derivative", balls, HertzMindlin{});
+    row("spheres: Hertz and Mindlin, no derivative", balls, ElasticSpheres{});
 }

@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
 
 #include <demos/cohesion/sintering_law.hpp>
-#include <demos/hertz_mindlin/hertz_mindlin_law.hpp>
+#include <demos/hertz_mindlin/elastic_spheres_law.hpp>
 #include <tests/dynamics/residual_error.hpp>
 
 using namespace scree;
@@ -75,7 +75,7 @@ TEST_CASE("The laws of the demos have the derivatives that they give or are give
     Random random(322);
     for (int i = 0; i < 20; ++i) {
         StepCase step = two_spheres(random);
-        ForcesOf<HertzMindlin> hertz({});
+        ForcesOf<ElasticSpheres> hertz({});
         CHECK(residual_error(step, hertz, h, 1, depth, 0.1).error < 1e-5);
         SinteringLaw law;
         law.strength = 1e5;

@@ -32,6 +32,18 @@ TEST_CASE("what the world cannot do is refused when it is added") {
     SECTION("a body that is there already") {
         refused(scene.add(1, box, Vec3::Zero()));
     }
+    SECTION("soft bodies, fluids and multibodies") {
+        struct OfType : btCollisionObject {
+            explicit OfType(int type) { m_internalType = type; }
+        };
+        for (const int type : {btCollisionObject::CO_SOFT_BODY, btCollisionObject::CO_HF_FLUID,
+                               btCollisionObject::CO_FEATHERSTONE_LINK}) {
+            OfType object(type);
+            object.setCollisionShape(&box);
+            CHECK_THROWS_WITH(scene.world->addCollisionObject(&object), Catch::Contains("multibodies"));
+            CHECK(scene.world->getNumCollisionObjects() == 0);
+        }
+    }
     SECTION("joints") {
         btPoint2PointConstraint joint(scene.add(1, box, Vec3::Zero()), btVector3(0, 0, 0));
         CHECK_THROWS_AS(scene.world->addConstraint(&joint), std::invalid_argument);

@@ -128,7 +128,11 @@ class ForcesOf final : public ContactForces {
         return {formulas.friction(contact.history.age), a.turns, b.turns, formulas.friction_cap};
     }
 
+    /// A law of one's own finds `out` empty.
     void ask(const ContactInput& in, ContactForce& out, std::vector<double>& own) const {
+        if constexpr (!GivesPower<Law>) {
+            out.reset();
+        }
         if constexpr (LawWithHistory<Law>) {
             const OwnRecords<typename Law::History> records(in.history);
             typename Law::History trial{};
@@ -158,7 +162,6 @@ class ForcesOf final : public ContactForces {
                 add_surface_motion(a.surface_velocity - b.surface_velocity, workspace.geometry.normal, motion,
                                    nullptr);
                 ContactForce& there = workspace.law;
-                there = ContactForce();
                 ask({workspace.geometry, motion, contact.pair, contact.history,
                      friction_step(contact, to.a, to.b, formulas), arms},
                     there, workspace.own);

@@ -12,8 +12,8 @@ namespace scree {
 /// Elastic spheres of one material, or such a sphere on flat ground: Hertz's normal force with damping, and a
 /// tangential spring by Mindlin and Deresiewicz that is cut off at μ fn (Johnson, Contact Mechanics, 4.2 and
 /// 7.2; Tsuji, Tanaka and Ishida 1992 for the damping). It gives no derivative, so Newton's method
-/// differences it.
-struct HertzMindlin {
+/// differences it. As one would write it oneself; contact/hertz_mindlin.hpp has the same with its derivative.
+struct ElasticSpheres {
     double youngs_modulus = 1e9;  ///< E of the material [Pa]
     double poisson_ratio = 0.3;   ///< ν
     double friction = 0.5;        ///< μ
