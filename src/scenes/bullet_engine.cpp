@@ -38,6 +38,7 @@ BulletEngine::~BulletEngine() {
 void BulletEngine::add(SimulationBody& body, const MaterialDescription& /*material*/) {
     btRigidBody& rigid = *body.rigid;
     rigid.setUserIndex(static_cast<int>(members_.size()));
+    rigid.setActivationState(DISABLE_DEACTIVATION);  // what creeps is to be seen
     rigid.setCollisionShape(body.solid.native.get());
     if (auto* faces = dynamic_cast<btPolyhedralConvexShape*>(body.solid.native.get());
         faces != nullptr && scene_.stepping.separating_axis && faces->getConvexPolyhedron() == nullptr) {

@@ -67,7 +67,6 @@ std::unique_ptr<btRigidBody> rigid_body(const SimulationBody& body, double densi
     auto rigid = std::make_unique<btRigidBody>(info);
     rigid->setLinearVelocity(to_bullet(start.velocity));
     rigid->setAngularVelocity(to_bullet(start.angular_velocity));
-    rigid->setActivationState(DISABLE_DEACTIVATION);
     return rigid;
 }
 

@@ -138,16 +138,8 @@ TEMPLATE_TEST_CASE("both worlds: a world is serialised", "[both]", BOTH_WORLDS) 
     scene.world->stepSimulation(tick, 1, tick);
     btDefaultSerializer serializer;
     scene.world->serialize(&serializer);
-    int bodies = 0, shapes = 0, worlds = 0;
-    for (int i = 0; i < serializer.getNumChunks(); ++i) {
-        const btChunk& chunk = *serializer.getChunk(i);
-        bodies += chunk.m_chunkCode == BT_RIGIDBODY_CODE;
-        shapes += chunk.m_chunkCode == BT_SHAPE_CODE;
-        worlds += chunk.m_chunkCode == BT_DYNAMICSWORLD_CODE;
-    }
-    CHECK(bodies == 2);
-    CHECK(shapes == 2);
-    CHECK(worlds == 1);
+    const auto* start = reinterpret_cast<const char*>(serializer.getBufferPointer());
+    CHECK(std::string(start, 7) == "BULLETd");
     CHECK(serializer.getCurrentBufferSize() > 1000);
 }
 
@@ -158,6 +150,7 @@ TEMPLATE_TEST_CASE("both worlds: a broadphase may be set while the world is empt
     btAxisSweep3 second(btVector3(-100, -100, -100), btVector3(100, 100, 100));
     TestType world(&dispatcher, &first, nullptr, &configuration);
     world.setBroadphase(&second);
+    world.setGravity(btVector3(0, 0, -10));
     CHECK(world.getBroadphase() == &second);
     btSphereShape ball(0.5);
     btStaticPlaneShape plane(btVector3(0, 0, 1), 0);

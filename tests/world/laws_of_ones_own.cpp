@@ -66,13 +66,14 @@ TEST_CASE("a law of one's own does what the built-in one does, with its derivati
         step(slope->scene, 30);
     }
     CHECK(position_of(with.cube) == position_of(built_in.cube));
-    CHECK((position_of(without.cube) - position_of(built_in.cube)).norm() < 1e-6);
+    // Other steps: the same to the tolerance, a thousandth of the cube's size.
+    CHECK((position_of(without.cube) - position_of(built_in.cube)).norm() < 1e-4);
     CHECK(without.cube.getLinearVelocity().length() < 1e-8);
     const StepReport& known = with.scene.world->step_report();
     const StepReport& differenced = without.scene.world->step_report();
     CHECK(10 * differenced.steps.accepted < 13 * known.steps.accepted);
     CHECK(differenced.steps.newton.iterations < 2 * known.steps.newton.iterations);
-    CHECK(std::abs(differenced.energy.residual) < 2e-3 * differenced.energy.lost_normal_damping);
+    CHECK(std::abs(differenced.energy.residual - known.energy.residual) < 1e-3);
 }
 
 TEST_CASE("only accepted steps enter a law's own history") {
@@ -132,7 +133,7 @@ TEST_CASE("Hertz: spheres come as deep as the closed form says, and part as fast
     btRigidBody& other = scene.add(mass, *one.getCollisionShape(), Vec3(0, 0, 0.02001));
     one.setLinearVelocity(btVector3(0, 0, speed));
     double deepest = 0;
-    for (int i = 0; i < 150; ++i) {
+    for (int i = 0; i < 250; ++i) {
         step(scene, 1, 1e-6);
         if (scene.world->step_report().contacts > 0) {
             deepest = std::max(deepest, scene.world->contact_results()[0].depth);
