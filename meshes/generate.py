@@ -125,11 +125,114 @@ def flat_stone(seed):
     return rounded(ring(7, 0.42, 0.33, 0, 0) + ring(9, 0.5, 0.4, 0.1, 0.02) + ring(5, 0.28, 0.2, 0.24, 0.02))
 
 
+def write_surface(name, points, triangles, comment):
+    """Of any surface as it is; points that are alike become one."""
+    keys = [tuple(round(x, 9) + 0.0 for x in p) for p in points]
+    number = {}
+    for key in keys:
+        number.setdefault(key, len(number) + 1)
+    lines = [f"# {comment}", f"o {name}"]
+    lines += ["v " + " ".join(f"{x:.9g}" for x in key) for key in number]
+    lines += ["f " + " ".join(str(number[keys[n]]) for n in t) for t in triangles]
+    (FOLDER / f"{name}.obj").write_text("\n".join(lines) + "\n")
+
+
+def ears(outline):
+    """Triangles of a simple polygon that runs counter-clockwise in the plane."""
+
+    def turn(a, b, c):
+        return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+
+    left = list(range(len(outline)))
+    triangles = []
+    while len(left) > 2:
+        for i in range(len(left)):
+            a, b, c = left[i - 1], left[i], left[(i + 1) % len(left)]
+            pa, pb, pc = outline[a], outline[b], outline[c]
+            inside = any(
+                min(turn(pa, pb, outline[n]), turn(pb, pc, outline[n]), turn(pc, pa, outline[n])) >= 0
+                for n in left
+                if n not in (a, b, c)
+            )
+            if turn(pa, pb, pc) > 1e-12 and not inside:
+                triangles.append((a, b, c))
+                del left[i]
+                break
+        else:
+            raise ValueError("the outline is not a simple polygon")
+    return triangles
+
+
+def extruded(outline, low, high):
+    """Points and triangles of a prism over a polygon in the x-y plane."""
+    n = len(outline)
+    points = [[x, y, z] for z in (low, high) for x, y in outline]
+    triangles = [(c, b, a) for a, b, c in ears(outline)] + [(a + n, b + n, c + n) for a, b, c in ears(outline)]
+    for i in range(n):
+        j = (i + 1) % n
+        triangles += [(i, j, j + n), (i, j + n, i + n)]
+    return points, triangles
+
+
+def of_cells(cells):
+    """The surface of unit cubes, given by their lowest corners, that hang together by faces."""
+    points, triangles = [], []
+    for cell in sorted(cells):
+        for axis in range(3):
+            for side in (0, 1):
+                next_cell = list(cell)
+                next_cell[axis] += 2 * side - 1
+                if tuple(next_cell) in cells:
+                    continue
+                corner = list(cell)
+                corner[axis] += side
+                u, v = [[int(i == (axis + k) % 3) for i in range(3)] for k in (1, 2)]
+                quad = [corner, add(corner, u), add(add(corner, u), v), add(corner, v)]
+                first = len(points)
+                points += quad if side else quad[::-1]
+                triangles += [(first, first + 1, first + 2), (first, first + 2, first + 3)]
+    return points, triangles
+
+
+def add(a, b):
+    return [x + y for x, y in zip(a, b)]
+
+
+def gear(teeth, inner, outer):
+    share = (0, 0.25, 0.4, 0.85)
+    radii = (inner, inner, outer, outer)
+    turns = [(2 * math.pi * (tooth + s) / teeth, r) for tooth in range(teeth) for s, r in zip(share, radii)]
+    return [[r * math.cos(t), r * math.sin(t)] for t, r in turns]
+
+
+def arch(parts, inner, outer):
+    turns = [math.pi * i / parts for i in range(parts + 1)]
+    rim = [[outer * math.cos(t), outer * math.sin(t)] for t in turns]
+    return rim + [[inner * math.cos(t), inner * math.sin(t)] for t in reversed(turns)]
+
+
+def mug():
+    """A square mug of cells: floor, walls and a handle."""
+    cells = {(x, y, 0) for x in range(6) for y in range(6)}
+    cells |= {(x, y, z) for x in range(6) for y in range(6) for z in range(1, 8) if x in (0, 5) or y in (0, 5)}
+    return cells | {(x, 2, z) for x in (6, 7, 8) for z in (2, 5)} | {(8, 2, z) for z in (3, 4)}
+
+
 def main():
+    corners = [[0, 0], [1, 0], [1, 0.3], [0.3, 0.3], [0.3, 1], [0, 1]]
+    write_surface("ell", *extruded(corners, 0, 0.4), "letter L of height 1, thickness 0.3 and depth 0.4 along z")
+    write("ell_foot", [p for z in (0, 0.4) for p in ([0, 0, z], [1, 0, z], [1, 0.3, z], [0, 0.3, z])], "a part of ell")
+    write("ell_leg", [p for z in (0, 0.4) for p in ([0, 0.3, z], [0.3, 0.3, z], [0.3, 1, z], [0, 1, z])], "a part of ell")
+    write_surface("gear", *extruded(gear(8, 0.7, 1), -0.1, 0.1), "gear of 8 teeth, radii 0.7 and 1, height 0.2 along z")
+    write_surface("arch", *extruded(arch(10, 0.7, 1), 0, 0.4), "round arch over the x axis, radii 0.7 and 1, depth 0.4 along z")
+    write_surface("mug", *of_cells(mug()), "square mug with a handle, of cubes of edge 1, its foot in the plane z = 0")
+    rims = [[[x * r, y * r, z] for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1))] for r, z in ((0.15, 0), (1, 1))]
+    sides = [t for i in range(4) for j in [(i + 1) % 4] for t in ((j, i, i + 4), (j, i + 4, j + 4))]
+    write_surface("hopper", rims[0] + rims[1], sides, "square hopper, 0.3 wide below and 2 wide at height 1; faces look inward")
     write("cube", box(1, 1, -0.5, 0.5), "cube of edge 1 about the origin")
     write("slab", box(1, 1, -0.1, 0), "slab 1 by 1 by 0.1, its top in the plane z = 0")
     write("hexagonal_prism", prism(6, 0.5, 0.6), "hexagonal prism of edge 0.5 and height 0.6 along z, about the origin")
-    write("disc", prism(48, 0.5, 0.1), "disc of 48 sides, radius 0.5 and height 0.1 along z, about the origin")
+    write("disc", prism(48, 1, 0.02), "thin disc of radius 1 and height 0.02 along z, 48 corners, about the origin")
     write("tetrahedron", edge_one([[1, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1]]), "tetrahedron of edge 1")
     write("octahedron", edge_one(signs(1, 0, 0) + signs(0, 1, 0) + signs(0, 0, 1)), "octahedron of edge 1")
     write("icosahedron", edge_one(even_permutations(signs(0, 1, GOLDEN))), "icosahedron of edge 1")

@@ -19,7 +19,7 @@ set(rule_cli reports ${rule_reports})
 set(folders mesh overlap contact dynamics bdf detect world mesh_io scenes output reports cli)
 
 # Outside libraries by the start of their headers' names, then the folders that may use them.
-set(outside_names bullet assimp qhull json cli11)
+set(outside_names bullet assimp qhull json cli11 xxhash)
 set(outside_bullet "(bt[A-Z]|Bullet|LinearMath/)")
 set(users_bullet detect world scenes reports cli)
 set(outside_assimp "assimp/")
@@ -30,6 +30,8 @@ set(outside_json "nlohmann/")
 set(users_json scenes output reports cli)
 set(outside_cli11 "CLI/")
 set(users_cli11 cli)
+set(outside_xxhash "xxhash")
+set(users_xxhash output)
 
 set(failures 0)
 macro(refuse what)

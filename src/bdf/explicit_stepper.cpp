@@ -7,7 +7,7 @@ namespace scree {
 void ExplicitStepper::restart(double time) {
     memory_.time = time;
     for (Contact& contact : system_.contacts) {
-        contact.history.age = std::min<std::size_t>(contact.history.age, 1);
+        contact.history.shorten();
     }
     evaluate_present(u_);
     remember_energies();
@@ -29,6 +29,7 @@ StepOutcome ExplicitStepper::step(double end) {
 
     states_ = system_.states;
     kick(verlet ? 0.5 * step : step, states_);
+    hold_spins(step, states_);
     drift(time, states_);
     if (covered_ && !covered_(problem_.trial())) {
         ++statistics_.rejected_contact;
@@ -47,6 +48,7 @@ StepOutcome ExplicitStepper::step(double end) {
             states_[b].angular_momentum = problem_.trial()[b].spin;
         }
     }
+    hold_spins(step, states_);
     if (!finite(states_)) {
         return StepOutcome::failed;
     }
@@ -61,6 +63,19 @@ void ExplicitStepper::kick(double duration, std::vector<BodyState>& states) cons
         }
         states[b].momentum += duration * memory_.force[b];
         states[b].angular_momentum += duration * memory_.torque[b];
+    }
+}
+
+void ExplicitStepper::hold_spins(double duration, std::vector<BodyState>& states) const {
+    for (std::size_t b = 0; b < states.size(); ++b) {
+        const Body& body = system_.bodies[b];
+        if (body.restraint == nullptr || !body.restraint->holds_spin()) {
+            continue;
+        }
+        const Vec3 held = spin_after(*body.restraint, spin(body, system_.states[b]), duration);
+        BodyState& state = states[b];
+        state.angular_momentum = restrained_momentum(*body.restraint, state.angular_momentum,
+                                                     world_inertia(body, state.orientation), held);
     }
 }
 

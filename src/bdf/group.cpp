@@ -30,7 +30,7 @@ bool same_influence(const Body& a, const BodyState& state_a, const Body& b, cons
     if (!a.dynamic()) {
         return state_a.momentum == state_b.momentum && state_a.angular_momentum == state_b.angular_momentum;
     }
-    return a.weight == b.weight && a.force == b.force && a.torque == b.torque;
+    return a.weight == b.weight && a.force == b.force && a.torque == b.torque && a.restraint == b.restraint;
 }
 
 }  // namespace
@@ -69,20 +69,48 @@ void Group::load(System& whole, std::span<const std::size_t> contacts, double ti
     }
     const bool woken = asleep_;
     asleep_ = false;
+    results_.clear();
+    calm_ = woken || restart_ ? 0 : calm_;
     if (restart_ || woken || start_.past.count() == 0) {
+        asleep_ = stopped_from_outside(whole, time);
         integrator_->restart(time);
         restart_ = false;
         start_ = integrator_->memory();
+        if (asleep_) {
+            const std::span<const ContactResult> own = integrator_->problem().results();
+            results_.assign(own.begin(), own.end());
+        }
         hand_back(whole);
         return;
     }
     if (influenced) {
         start_.powers.reset();
+        for (std::size_t i = 0; i < influences_.size(); ++i) {
+            assume(i);
+        }
     }
     integrator_->resume(start_);
 }
 
+// The past of a body that nothing touches as if the forces had been what they are now: contacts answer a jump
+// within a time that is short against a step. The held axes of a restraint take none of it.
+void Group::assume(std::size_t i) {
+    const Body& body = system_.bodies[i];
+    const bool touched =
+        std::any_of(system_.contacts.begin(), system_.contacts.end(), [&](const Contact& contact) {
+            return contact.history.age > 0 && (at(contact.a.body) == i || at(contact.b.body) == i);
+        });
+    if (body.dynamic() && !touched && (!influences_[i].force.isZero(0) || !influences_[i].torque.isZero(0))) {
+        const Vec3 along = body.restraint != nullptr ? body.restraint->along : Vec3::Ones();
+        const Vec3 around = body.restraint != nullptr ? body.restraint->around : Vec3::Ones();
+        start_.past.assume(i, body, along.cwiseProduct(influences_[i].force),
+                           around.cwiseProduct(influences_[i].torque));
+    }
+}
+
 bool Group::load_bodies(const System& whole) {
+    const bool known = system_.bodies.size() == bodies_.size();
+    influences_.assign(known ? bodies_.size() : 0, {});
     system_.bodies.resize(bodies_.size());
     system_.states.resize(bodies_.size());
     bool influenced = false;
@@ -90,6 +118,11 @@ bool Group::load_bodies(const System& whole) {
         const Body& body = whole.bodies[at(bodies_[i])];
         const BodyState& state = whole.states[at(bodies_[i])];
         influenced = influenced || !same_influence(system_.bodies[i], system_.states[i], body, state);
+        if (known) {
+            const Body& before = system_.bodies[i];
+            influences_[i] = {body.weight + body.force - before.weight - before.force,
+                              body.torque - before.torque};
+        }
         system_.bodies[i] = body;
         system_.states[i] = state;
     }
@@ -134,7 +167,7 @@ void Group::shorten_memories() {
     };
     for (Contact& contact : system_.contacts) {
         if (!led(contact.a) || !led(contact.b)) {
-            contact.history.age = std::min<std::size_t>(contact.history.age, 1);
+            contact.history.shorten();
         }
     }
 }
@@ -186,8 +219,9 @@ void Group::hand_back(System& whole) const {
 
 void Group::commit(System& whole, std::vector<ContactResult>& results) {
     arrived_ = false;
+    const std::span<const ContactResult> own = asleep_ ? results_ : integrator_->problem().results();
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
-        results[contacts_[i]] = integrator_->problem().results()[i];
+        results[contacts_[i]] = own[i];
     }
     if (asleep_) {
         return;
@@ -200,8 +234,27 @@ void Group::commit(System& whole, std::vector<ContactResult>& results) {
     }
     start_ = integrator_->memory();
     leaders_.clear();
-    calm_ = options_.sleep && at_rest() ? calm_ + 1 : 0;
+    calm_ = may_rest() && at_rest() ? calm_ + 1 : 0;
     asleep_ = calm_ >= calm_meetings;
+    if (asleep_) {
+        results_.assign(own.begin(), own.end());
+    }
+}
+
+void Group::go_on(const System& whole, std::span<const std::size_t> contacts) {
+    load_bodies(whole);
+    load_contacts(whole, contacts);
+    const std::size_t count = start_.past.count();
+    bool fits = start_.order > 0 && results_.size() == (asleep_ ? contacts.size() : 0);
+    for (std::size_t j = 0; j < count; ++j) {
+        fits = fits && start_.past.states(j).size() == bodies_.size();
+    }
+    for (const std::vector<Vec3>* list : {&start_.force, &start_.torque}) {
+        fits = fits && (count == 0 || list->size() == bodies_.size());
+    }
+    StateReader::require(fits);
+    integrator_->recall(start_);
+    restart_ = false;
 }
 
 // A prescribed body that moves, or will again, or whose surface does, works on what lies against it.
@@ -211,6 +264,30 @@ bool Group::drives(const Body& body, const BodyState& state, double time) {
     }
     return body.path != nullptr &&
            (std::isfinite(body.path->time_scale()) || body.path->at(time).surface_velocity != Vec3::Zero());
+}
+
+bool Group::may_rest() const {
+    return std::all_of(system_.bodies.begin(), system_.bodies.end(), [&](const Body& body) {
+        return !body.dynamic() || body.rest == Rest::wanted || body.rest == Rest::from_outside ||
+               (body.rest == Rest::by_option && options_.sleep);
+    });
+}
+
+// All or none: whoever stops loses its momentum.
+bool Group::stopped_from_outside(System& whole, double time) {
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+        const Body& body = system_.bodies[i];
+        if (body.dynamic() ? body.rest != Rest::from_outside : drives(body, system_.states[i], time)) {
+            return false;
+        }
+    }
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+        if (system_.bodies[i].dynamic()) {
+            system_.states[i].momentum = system_.states[i].angular_momentum = Vec3::Zero();
+            whole.states[at(bodies_[i])] = system_.states[i];
+        }
+    }
+    return true;
 }
 
 // Next to no motion, and forces in balance.

@@ -32,6 +32,10 @@ void Groups::set_workers(Workers* workers) {
 
 void Groups::renumber(std::span<const int> new_numbers) {
     std::erase_if(groups_, [&](const auto& group) { return !group->renumber(new_numbers); });
+    number_bodies();
+}
+
+void Groups::number_bodies() {
     group_of_.assign(whole_.bodies.size(), -1);
     for (std::size_t g = 0; g < groups_.size(); ++g) {
         for (const int body : groups_[g]->bodies()) {
@@ -60,11 +64,7 @@ void Groups::deal(double time) {
         groups_.push_back(group_for(part, time));
     }
     previous_.clear();
-    for (std::size_t g = 0; g < groups_.size(); ++g) {
-        for (const int body : groups_[g]->bodies()) {
-            group_of_[at(body)] = whole_.bodies[at(body)].dynamic() ? static_cast<int>(g) : -1;
-        }
-    }
+    number_bodies();
     for (const int body : restarts_) {
         for (const auto& group : groups_) {
             if (group->place_of(body) >= 0) {
@@ -74,10 +74,38 @@ void Groups::deal(double time) {
     }
     restarts_.clear();
     for (std::size_t part = 0; part < groups_.size(); ++part) {
-        const std::size_t begin = contact_begin_[part];
-        groups_[part]->load(
-            whole_, std::span(contact_members_).subspan(begin, contact_begin_[part + 1] - begin), time);
+        groups_[part]->load(whole_, contacts_of(part), time);
     }
+}
+
+std::span<const std::size_t> Groups::contacts_of(std::size_t part) const {
+    const std::size_t begin = contact_begin_[part];
+    return std::span(contact_members_).subspan(begin, contact_begin_[part + 1] - begin);
+}
+
+void Groups::save(StateWriter& with) const {
+    with(groups_.size());
+    for (const auto& group : groups_) {
+        with(*group);
+    }
+}
+
+// The groups are those that the whole's contacts make, as at the last deal.
+void Groups::restore(StateReader& with, double time) {
+    met_ = time;
+    restarts_.clear();
+    groups_.clear();
+    find_parts();
+    std::size_t count = 0;
+    with(count);
+    StateReader::require(count + 1 == part_begin_.size());
+    for (std::size_t part = 0; part < count; ++part) {
+        collect(part);
+        groups_.push_back(std::make_unique<Group>(bodies_, *forces_, options_, workers_));
+        with(*groups_.back());
+        groups_.back()->go_on(whole_, contacts_of(part));
+    }
+    number_bodies();
 }
 
 // Steps of groups that could not reach the meeting count for nothing but what they cost.
@@ -287,6 +315,11 @@ void Groups::move_prescribed(double end) {
             advance_prescribed(end - met_, state);
         }
     }
+}
+
+bool Groups::asleep(int body) const {
+    const auto number = at(body);
+    return number < group_of_.size() && group_of_[number] >= 0 && groups_[at(group_of_[number])]->asleep();
 }
 
 const Group* Groups::failed() const {

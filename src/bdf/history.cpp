@@ -70,6 +70,24 @@ void StateHistory::start(const BdfFormula& formula, std::size_t order, std::vect
     }
 }
 
+void StateHistory::assume(std::size_t body, const Body& what, const Vec3& force, const Vec3& torque) {
+    BodyState change;
+    change.orientation = states_.front()[body].orientation;
+    change.momentum = force;
+    change.angular_momentum = torque;
+    const Vec3 faster = velocity(what, change);
+    const Vec3 turning = spin(what, change);
+    for (std::size_t j = 1; j < times_.size(); ++j) {
+        const double ago = times_[j] - times_[0];
+        BodyState& past = states_[j][body];
+        past.position += 0.5 * ago * ago * faster;
+        const Vec3 half = 0.25 * ago * ago * turning;
+        past.orientation = (Quat(1, half.x(), half.y(), half.z()) * past.orientation).normalized();
+        past.momentum += ago * force;
+        past.angular_momentum += ago * torque;
+    }
+}
+
 BodyState StateHistory::at(double time, std::size_t body, std::size_t points) const {
     const auto weights = extrapolation(time, times_, points);
     const BodyState& last = states_.front()[body];

@@ -80,7 +80,10 @@ void Integrator::remember_contacts() {
             history.clear();
             continue;
         }
-        history.push(results[i].law.trial);
+        history.push(results[i].law.trial, results[i].law.cells);
+        if (!results[i].own.empty()) {
+            history.push_own(results[i].own);
+        }
         history.centre_line = results[i].centre_line;
         statistics_.lost_directions += results[i].law.lost_direction;
         statistics_.centre_lines += results[i].centre_line;

@@ -25,7 +25,7 @@ void Stepper::start_afresh(double time, double moment) {
     memory_ = {};
     memory_.time = time;
     for (Contact& contact : system_.contacts) {
-        contact.history.age = std::min<std::size_t>(contact.history.age, 1);
+        contact.history.shorten();
     }
     evaluate_present(u_, moment);
     memory_.past.restart(time, system_.states);

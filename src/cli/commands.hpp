@@ -25,6 +25,26 @@ struct RunRequest {
     bool quiet = false;
 };
 
+struct ResumeRequest {
+    std::string folder;
+    std::optional<double> until;  ///< [s]
+    int threads = 1;
+    bool quiet = false;
+};
+
+struct PictureRequest {
+    std::string folder;
+    double at = 0;    ///< [s]
+    std::string out;  ///< empty: picture.png in the folder
+    bool quiet = false;
+};
+
+struct PageRequest {
+    std::string folder;
+    std::string out;  ///< empty: page.html in the folder
+    bool quiet = false;
+};
+
 struct MeshRequest {
     std::string file;
     double scale = 1;
@@ -42,6 +62,9 @@ struct ReportOrder {
 
 // The commands. Each returns its exit status, and throws SceneError or OutputError.
 int run_command(const RunRequest& request);
+int resume_command(const ResumeRequest& request);
+int picture_command(const PictureRequest& request);
+int page_command(const PageRequest& request);
 int check_command(const RunRequest& request);
 int mesh_command(const MeshRequest& request);
 int list_command(bool quiet);

@@ -19,6 +19,7 @@ void catch_interrupt() {
     action.sa_handler = ask;
     action.sa_flags = SA_RESETHAND | SA_RESTART;
     sigaction(SIGINT, &action, nullptr);
+    std::signal(SIGXFSZ, SIG_IGN);  // a file at its limit is an error like a full disk
 }
 
 bool interrupted() {

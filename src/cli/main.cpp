@@ -33,10 +33,12 @@ class CommandLine {
         app_.set_version_flag("--version", std::string("scree ") + version);
         app_.require_subcommand(1);
         add_run();
+        add_resume();
+        add_picture();
+        add_page();
         add_check();
         add_mesh();
         add_list();
-        add_absent("resume", "go on with a run from its checkpoint");
         add_report();
     }
 
@@ -94,9 +96,42 @@ class CommandLine {
         CLI::App* sub = add("run", "Run a scene", [this] { return run_command(run_); });
         add_scene(*sub);
         sub->add_option("--out", run_.out, "The folder to write to (out/<scene name>)");
-        sub->add_option("--until", run_.until, "Stop at the last output time up to this one [s]")
+        add_limits(*sub);
+    }
+
+    void add_limits(CLI::App& sub) {
+        sub.add_option("--until", run_.until, "Stop at the last output time up to this one [s]")
             ->check(number(0, "SECONDS", "seconds, not below 0"));
-        sub->add_option("--threads", run_.threads, "Threads to use")->check(CLI::Range(1, most_threads));
+        sub.add_option("--threads", run_.threads, "Threads to use; the results are the same for any number")
+            ->check(CLI::Range(1, most_threads));
+    }
+
+    void add_resume() {
+        CLI::App* sub = add("resume", "Go on with a run from its last checkpoint", [this] {
+            return resume_command({run_.out, run_.until, run_.threads, run_.quiet});
+        });
+        sub->add_option("DIR", run_.out, "The folder that the run writes to")->required();
+        add_limits(*sub);
+    }
+
+    void add_picture() {
+        CLI::App* sub = add("picture", "Take a picture of a run, by f3d, or a model of one moment", [this] {
+            picture_.quiet = run_.quiet;
+            return picture_command(picture_);
+        });
+        sub->add_option("DIR", picture_.folder, "The folder that the run has written")->required();
+        sub->add_option("--at", picture_.at, "The time that it shows [s]")
+            ->check(number(0, "SECONDS", "seconds, not below 0"));
+        sub->add_option("--out", picture_.out, "The file to write, .png or .glb (DIR/picture.png)");
+    }
+
+    void add_page() {
+        CLI::App* sub = add("page", "Make one HTML file of a run, which plays it in a browser", [this] {
+            page_.quiet = run_.quiet;
+            return page_command(page_);
+        });
+        sub->add_option("DIR", page_.folder, "The folder that the run has written")->required();
+        sub->add_option("--out", page_.out, "The file to write (DIR/page.html)");
     }
 
     void add_check() {
@@ -145,6 +180,8 @@ class CommandLine {
     CLI::App app_{"scree: discrete elements of polyhedra, loaded from meshes, over Bullet", "scree"};
     RunRequest run_;
     MeshRequest mesh_;
+    PictureRequest picture_;
+    PageRequest page_;
     ReportOrder report_;
     std::function<int()> command_;
 };

@@ -38,6 +38,7 @@ RunSummary summary_of(const Simulation& simulation) {
     summary.message = report.message;
     summary.end_time = simulation.scene().end_time;
     summary.reached = simulation.time();
+    summary.threads = simulation.threads();
     set_stage_times(report, summary.time);
     summary.steps = {steps.accepted, steps.rejected_error, steps.rejected_newton, steps.rejected_contact};
     if (steps.accepted > 0) {

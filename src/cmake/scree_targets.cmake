@@ -45,10 +45,22 @@ scree_library(world FOLDERS detect world
 scree_library(mesh_io FOLDERS mesh_io
     PUBLIC scree::core PRIVATE assimp::assimp)
 scree_library(output FOLDERS output
-    PUBLIC scree::core PRIVATE nlohmann_json::nlohmann_json PCH ${eigen_pch})
+    PUBLIC scree::core PRIVATE assimp::assimp nlohmann_json::nlohmann_json PCH ${eigen_pch})
+if(TARGET scree_output)
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/output/page.html)
+    file(READ ${PROJECT_SOURCE_DIR}/src/output/page.html SCREE_PAGE)
+    configure_file(${PROJECT_SOURCE_DIR}/src/output/page_template.hpp.in
+        ${PROJECT_BINARY_DIR}/generated/output/page_template.hpp @ONLY)
+    target_include_directories(scree_output PRIVATE ${PROJECT_BINARY_DIR}/generated/output)
+endif()
 scree_library(scenes FOLDERS scenes
     PUBLIC scree::world scree::mesh_io nlohmann_json::nlohmann_json
     PCH ${eigen_pch} <btBulletDynamicsCommon.h> <nlohmann/json.hpp>)
+if(TARGET scree_scenes AND TARGET scree::hacd)
+    target_link_libraries(scree_scenes PRIVATE scree::hacd)
+    set_source_files_properties(${PROJECT_SOURCE_DIR}/src/scenes/decomposition.cpp PROPERTIES
+        COMPILE_DEFINITIONS SCREE_HAS_HACD SKIP_PRECOMPILE_HEADERS ON)
+endif()
 
 # The scenes that come with scree, for a program that runs from its build folder.
 set_source_files_properties(${PROJECT_SOURCE_DIR}/src/scenes/find_scene.cpp PROPERTIES

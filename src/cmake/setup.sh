@@ -1,8 +1,8 @@
 # For demos/run and tests/run to source: installs what is missing and builds. Not a program of its own.
 
 scree_root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
-scree_libraries=(libbullet-dev libeigen3-dev libassimp-dev zlib1g-dev libqhull-dev nlohmann-json3-dev libcli11-dev
-    catch2)
+scree_libraries=(libbullet-dev libbullet-extras-dev libeigen3-dev libassimp-dev zlib1g-dev libqhull-dev nlohmann-json3-dev
+    libcli11-dev libxxhash-dev catch2)
 
 fail() {
     echo "scree: $*" >&2

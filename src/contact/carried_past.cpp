@@ -8,11 +8,6 @@ namespace scree {
 
 namespace {
 
-// What a spring keeps of its force when its stiffness changes.
-double share_kept(double stiffness, double before) {
-    return stiffness < before ? stiffness / before : 1;
-}
-
 template <FrictionLaw friction>
 CarriedForce carried_record(const ContactInput& in, const LawOptions& options, std::size_t j,
                             Vec3 FrictionRecord::*which) {

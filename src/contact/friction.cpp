@@ -82,15 +82,11 @@ void apply(const ContactInput& in, const TangentialForce& friction, ContactForce
     }
 }
 
-}  // namespace
-
 template <LawParts parts>
-void add_friction(const ContactInput& in, const PressingForce& pressing, const LawOptions& options,
-                  ContactForce& out) {
+void add_friction_by(const ContactInput& in, const PressingForce& pressing, const LawOptions& options,
+                     const Slip& slip, TangentialConstants& constants, ContactForce& out) {
     constexpr bool has_spring = parts.friction != FrictionLaw::viscous;
     const Limits limits(in, has_spring, pressing);
-    const Slip slip = slip_motion<parts>(in);
-    TangentialConstants constants = tangential_constants(in, options, slip);
     TangentialForce friction;
     if constexpr (has_spring) {
         friction = spring_force<parts>(in, options, slip, limits, constants, out);
@@ -112,6 +108,22 @@ void add_friction(const ContactInput& in, const PressingForce& pressing, const L
         (limited ? out.power.tangential : out.power.tangential_damping) = -acting.tangential_power;
     }
     apply<parts>(in, friction, out);
+}
+
+}  // namespace
+
+void add_friction_at_point(const ContactInput& in, const PressingForce& pressing, const LawOptions& options,
+                           const Slip& slip, TangentialConstants& constants, ContactForce& out) {
+    add_friction_by<LawParts{FrictionLaw::cundall_strack, false}>(in, pressing, options, slip, constants,
+                                                                  out);
+}
+
+template <LawParts parts>
+void add_friction(const ContactInput& in, const PressingForce& pressing, const LawOptions& options,
+                  ContactForce& out) {
+    const Slip slip = slip_motion<parts>(in);
+    TangentialConstants constants = tangential_constants(in, options, slip);
+    add_friction_by<parts>(in, pressing, options, slip, constants, out);
 }
 
 template void add_friction<LawParts{FrictionLaw::cundall_strack, true}>(const ContactInput&,

@@ -13,6 +13,7 @@ PairMaterial mix(const Material& a, const Material& b) {
     pair.tangential_damping = 0.5 * (a.tangential_damping + b.tangential_damping);
     pair.tangential_ratio = 0.5 * (a.tangential_ratio + b.tangential_ratio);
     pair.torsion = a.torsion && b.torsion;
+    pair.patch_friction = a.patch_friction && b.patch_friction;
     pair.rolling_friction = std::min(a.rolling_friction, b.rolling_friction);
     pair.cohesion = std::min(a.cohesion, b.cohesion);
     if (a.kinetic_friction || b.kinetic_friction) {
@@ -57,6 +58,8 @@ PairConstants pair_constants(const PairMaterial& material, const BodySize& a, co
     pair.rolling_friction = material.rolling_friction;
     pair.cohesion = material.cohesion;
     pair.torsion = material.torsion;
+    pair.patch_friction = material.patch_friction;
+    pair.even_damping = material.even_damping;
     pair.inverse_inertia_a = a.inertia.cwiseInverse();
     pair.inverse_inertia_b = b.inertia.cwiseInverse();
     return pair;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <scree/contact/law.hpp>
+#include <scree/contact/normal_force.hpp>
 #include <scree/contact/tangential_constants.hpp>
 
 namespace scree {
@@ -26,6 +27,11 @@ void add_spin(const ContactInput& in, Slip& slip);
 /// The relative turning across n, over a radius [m].
 Slip rolling_motion(const ContactInput& in, double radius);
 
+/// What a spring keeps of its force when its stiffness changes from `before`: no energy is to be made.
+inline double share_kept(double stiffness, double before) {
+    return stiffness < before ? stiffness / before : 1;
+}
+
 /// A stored vector of the past as the step's formula has it, each straight from its own plane to the present
 /// one. Where the stiffness has fallen since, the force has fallen with it, so that no energy is made; where
 /// it has grown, the force stays. Notes in `out` a direction that was lost.
@@ -47,6 +53,10 @@ void damp(const ContactInput& in, const Slip& slip, const TangentialConstants& c
 /// Eqs. (5.16) and (5.29): what is larger than `most` is scaled back to `left`. Returns true when it was.
 bool cut_off(const ContactInput& in, const TangentialLimit& most, const TangentialLimit& left,
              TangentialForce& force);
+
+/// Friction in three dimensions without torsion, with a spring and a damper of one's own.
+void add_friction_at_point(const ContactInput& in, const PressingForce& pressing, const LawOptions& options,
+                           const Slip& slip, TangentialConstants& constants, ContactForce& out);
 
 /// What the spring holds [J].
 double stored_energy(const Vec3& force, const TangentialConstants& constants);

@@ -1,6 +1,7 @@
 #include <scree/detect/manifold_geometry.hpp>
 
 #include <scree/detect/convert.hpp>
+#include <scree/detect/manifold_points.hpp>
 
 #include "bullet_pair.hpp"
 #include "expected_points.hpp"
@@ -79,6 +80,25 @@ void ManifoldGeometry::update(const Situation& now, const btDispatcherInfo& info
         choice.offer(expected_points(dispatcher_, a_, b_, now, info));
     }
     points_.freeze(choice.choose(), now.area, choice.planes());
+}
+
+void ManifoldGeometry::save(StateWriter& with) {
+    const btPersistentManifold* found = manifold();
+    with(found == nullptr ? std::vector<btManifoldPoint>() : manifold_points(*found), points_);
+}
+
+// The manifold is Bullet's own to make.
+void ManifoldGeometry::restore(StateReader& with, const Situation& now, const btDispatcherInfo& info) {
+    const PutAside put_a(*a_.object, now.body_a);
+    const PutAside put_b(*b_.object, now.body_b);
+    gather(now, info);
+    std::vector<btManifoldPoint> points;
+    with(points, points_);
+    btPersistentManifold* found = manifold();
+    StateReader::require(found != nullptr || points.empty());
+    if (found != nullptr) {
+        set_manifold_points(points, *found);
+    }
 }
 
 }  // namespace scree

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <mutex>
 
 #include <BulletCollision/BroadphaseCollision/btDbvtBroadphase.h>
 
@@ -19,7 +20,7 @@ constexpr double fatness = 0.05;  // of a body's radius, by which Bullet's tree 
 // Bullet's tree enlarges boxes by a length of its own, a global one that suits bodies of a metre.
 class TreeMargin {
   public:
-    TreeMargin() : kept_(gDbvtMargin) {}
+    TreeMargin() : lock_(mutex()), kept_(gDbvtMargin) {}
     ~TreeMargin() { gDbvtMargin = kept_; }
     TreeMargin(const TreeMargin&) = delete;
     TreeMargin& operator=(const TreeMargin&) = delete;
@@ -27,8 +28,28 @@ class TreeMargin {
     static void set(double margin) { gDbvtMargin = margin; }
 
   private:
+    // One for all worlds, which may live in threads of their own.
+    static std::mutex& mutex() {
+        static std::mutex only;
+        return only;
+    }
+    std::lock_guard<std::mutex> lock_;
     btScalar kept_;
 };
+
+// Bullet's filter, but for that it leaves out pairs that both rest: their contacts live on here.
+bool want_contact(btDispatcher& dispatcher, const btCollisionObject& a, const btCollisionObject& b) {
+    const int state = a.getActivationState();
+    const bool resting = !a.isActive() && !b.isActive();
+    if (resting) {
+        a.forceActivationState(ACTIVE_TAG);
+    }
+    const bool wanted = dispatcher.needsCollision(&a, &b) && dispatcher.needsResponse(&a, &b);
+    if (resting) {
+        a.forceActivationState(state);
+    }
+    return wanted;
+}
 
 bool apart(const Bounds& a, const Bounds& b, double reach) {
     return (a.low - b.high).maxCoeff() > reach || (b.low - a.high).maxCoeff() > reach;
@@ -117,8 +138,7 @@ void PairSearch::add_pairs(int a, int b, btDispatcher& dispatcher, std::span<con
             if (!near(parts_a[i], parts_b[j], reach)) {
                 continue;
             }
-            wanted = wanted || (dispatcher.needsCollision(body_a.object, body_b.object) &&
-                                dispatcher.needsResponse(body_a.object, body_b.object));
+            wanted = wanted || want_contact(dispatcher, *body_a.object, *body_b.object);
             if (!wanted) {
                 return;
             }

@@ -4,7 +4,7 @@ namespace scree {
 
 BodySize body_size(const Body& body) {
     BodySize size{body.mass, body.radius};
-    if (body.dynamic()) {
+    if (body.dynamic() && (body.restraint == nullptr || !body.restraint->around.isZero(0))) {
         size.inertia = body.inertia;
     }
     return size;

@@ -7,6 +7,11 @@ ContactWorkspace& contact_workspace() {
     return workspace;
 }
 
+ContactWorkspace& second_contact_workspace() {
+    thread_local ContactWorkspace workspace;
+    return workspace;
+}
+
 bool locate(const Contact& contact, const TrialBody& a, const TrialBody& b, Detail detail,
             OverlapWorkspace& workspace, ContactGeometry& geometry, PairArms& arms) {
     const Pose pose_a = a.pose * contact.a.local;
@@ -24,6 +29,33 @@ bool locate(const Contact& contact, const TrialBody& a, const TrialBody& b, Deta
     arms.frame_a = a.pose.orientation;
     arms.frame_b = b.pose.orientation;
     return true;
+}
+
+const PatchCells* locate_cells(const Contact& contact, const TrialBody& a, const FrictionStep& step,
+                               bool co_rotation, ContactWorkspace& workspace) {
+    const ContactGeometry& g = workspace.geometry;
+    PatchCells& cells = workspace.cells;
+    cells.axis =
+        patch_axis(contact.history, g.normal, g.normal.unitOrthogonal(), step, co_rotation, nullptr).axis;
+    return cut_into_cells(g, a.pose * contact.a.local, workspace.overlap, cells) ? &cells : nullptr;
+}
+
+const DepthPotential* locate_potential(const Contact& contact, const TrialBody& a, Detail detail,
+                                       ContactWorkspace& workspace) {
+    const auto* solid = std::get_if<ConvexPolyhedron>(contact.a.shape);
+    if (contact.geometry || solid == nullptr || !std::holds_alternative<ConvexPolyhedron>(*contact.b.shape)) {
+        return nullptr;
+    }
+    depth_potential(*solid, a.pose * contact.a.local, workspace.geometry, detail, workspace.overlap,
+                    workspace.potential);
+    return &workspace.potential;
+}
+
+void account_as_lost(const ContactGeometry& geometry, const RelativeMotion& motion, ContactForce& law) {
+    const double normal = law.force.dot(geometry.normal) * geometry.normal.dot(motion.velocity);
+    law.power = {};
+    law.power.normal = -normal;
+    law.power.tangential = normal - law.force.dot(motion.velocity) - law.moment.dot(motion.spin);
 }
 
 void settle(const ContactGeometry& geometry, const RelativeMotion& motion, const TrialBody& a,

@@ -35,6 +35,10 @@ Accumulated accumulation_rates(const System& system, const StepProblem& problem)
         }
         const TrialBody& trial = problem.trial()[b];
         rates.applied += body.force.dot(trial.velocity) + body.torque.dot(trial.spin);
+        if (body.restraint != nullptr) {
+            const StepProblem::Hold& hold = problem.holds()[b];
+            rates.applied += hold.force.dot(trial.velocity) + hold.torque.dot(trial.spin);
+        }
     }
     const auto results = problem.results();
     for (std::size_t i = 0; i < results.size(); ++i) {
@@ -70,6 +74,9 @@ Vec3 outside_force(const System& system, const StepProblem& problem) {
         if (body.dynamic()) {
             sum += body.weight + body.force;
         }
+    }
+    for (const StepProblem::Hold& hold : problem.holds()) {
+        sum += hold.force;
     }
     const auto results = problem.results();
     for (std::size_t i = 0; i < results.size(); ++i) {

@@ -8,12 +8,11 @@ std::size_t at(int i) {
     return static_cast<std::size_t>(i);
 }
 
-// d(p, L)/d(v, ω).
-Mat6 inertia_block(const Body& body, const TrialBody& trial) {
-    Mat6 block = Mat6::Zero();
-    block.topLeftCorner<3, 3>() = body.mass * Mat3::Identity();
-    block.bottomRightCorner<3, 3>() = turning_inertia(body, trial);
-    return block;
+// dL/dω: L = I(q) ω, and I turns with q.
+Mat3 turning_inertia(const Body& body, const TrialBody& trial) {
+    const Mat3 inertia = world_inertia(body, trial.pose.orientation);
+    return inertia +
+           (inertia * cross_matrix(trial.spin) - cross_matrix(inertia * trial.spin)) * trial.turn_rate;
 }
 
 Mat6 stacked(const Mat39& force, const Mat39& moment, int column) {
@@ -25,20 +24,36 @@ Mat6 stacked(const Mat39& force, const Mat39& moment, int column) {
 
 }  // namespace
 
-// L = I(q) ω, and I turns with q.
-Mat3 turning_inertia(const Body& body, const TrialBody& trial) {
-    const Mat3 inertia = world_inertia(body, trial.pose.orientation);
-    return inertia +
-           (inertia * cross_matrix(trial.spin) - cross_matrix(inertia * trial.spin)) * trial.turn_rate;
+double held_inertia(const Body& body) {
+    return body.inertia.mean();
+}
+
+Mat6 inertia_block(const Body& body, const TrialBody& trial, double beta_h) {
+    Mat6 block = Mat6::Zero();
+    block.topLeftCorner<3, 3>() = body.mass * Mat3::Identity();
+    block.bottomRightCorner<3, 3>() = turning_inertia(body, trial);
+    if (const Restraint* restraint = body.restraint) {
+        block.topRows<3>() *= 1 + beta_h * restraint->slowing;
+        block.bottomRows<3>() *= 1 + beta_h * restraint->turning_down;
+        for (int axis = 0; axis < 3; ++axis) {
+            if (restraint->held(axis)) {
+                block.row(3 + axis).setZero();
+                block(3 + axis, 3 + axis) = held_inertia(body);
+            }
+        }
+    }
+    return block;
 }
 
 void Jacobian::number(std::span<const Body> bodies) {
     place_.assign(bodies.size(), -1);
     scale_.clear();
+    restraint_.clear();
     for (std::size_t b = 0; b < bodies.size(); ++b) {
         if (bodies[b].dynamic()) {
             place_[b] = static_cast<int>(scale_.size());
             scale_.emplace_back(bodies[b].mass, bodies[b].mass * bodies[b].radius);
+            restraint_.push_back(bodies[b].restraint);
         }
     }
 }
@@ -50,7 +65,7 @@ void Jacobian::assemble(std::span<const Body> bodies, std::span<const TrialBody>
     matrix_.clear(static_cast<int>(scale_.size()));
     for (std::size_t b = 0; b < bodies.size(); ++b) {
         if (place_[b] >= 0) {
-            add(place_[b], place_[b], inertia_block(bodies[b], trial[b]));
+            add(place_[b], place_[b], inertia_block(bodies[b], trial[b], beta_h));
         }
     }
     for (std::size_t i = 0; i < contacts.size(); ++i) {
@@ -74,15 +89,24 @@ void Jacobian::add_contact(const Contact& contact, const ContactResult& result, 
         return block;
     };
     if (a >= 0) {
-        add(a, a, stacked(force, moment_a, 3));
+        add_force(a, a, stacked(force, moment_a, 3));
     }
     if (b >= 0) {
-        add(b, b, by_b(stacked(-force, moment_b, 6)));
+        add_force(b, b, by_b(stacked(-force, moment_b, 6)));
     }
     if (a >= 0 && b >= 0) {
-        add(a, b, by_b(stacked(force, moment_a, 6)));
-        add(b, a, stacked(-force, moment_b, 3));
+        add_force(a, b, by_b(stacked(force, moment_a, 6)));
+        add_force(b, a, stacked(-force, moment_b, 3));
     }
+}
+
+// What gets through a body's restraint of it.
+void Jacobian::add_force(int row, int column, Mat6 block) {
+    if (const Restraint* restraint = restraint_[at(row)]) {
+        block.topRows<3>() = restraint->along.asDiagonal() * block.topRows<3>();
+        block.bottomRows<3>() = restraint->around.asDiagonal() * block.bottomRows<3>();
+    }
+    add(row, column, block);
 }
 
 void Jacobian::add(int row, int column, const Mat6& block) {

@@ -31,6 +31,9 @@ void StepProblem::begin(const StepFormulas& formulas, std::vector<BodyStart>& st
     trial_.resize(system_.bodies.size());
     results_.resize(system_.contacts.size());
     residual_.setZero(static_cast<Eigen::Index>(6 * system_.bodies.size()));
+    const bool restrained = std::any_of(system_.bodies.begin(), system_.bodies.end(),
+                                        [](const Body& body) { return body.restraint != nullptr; });
+    holds_.resize(restrained ? system_.bodies.size() : 0);
 }
 
 void StepProblem::evaluate(const Eigen::VectorXd& u, Detail detail) {
@@ -39,6 +42,7 @@ void StepProblem::evaluate(const Eigen::VectorXd& u, Detail detail) {
     place_bodies(u);
     evaluate_contacts();
     sum_forces();
+    restrain();
     fill_residual();
 }
 
@@ -101,6 +105,24 @@ void StepProblem::sum_forces() {
     }
 }
 
+// Forces and torques become what they make of momenta.
+void StepProblem::restrain() {
+    for (std::size_t b = 0; b < holds_.size(); ++b) {
+        const Body& body = system_.bodies[b];
+        holds_[b] = {};
+        if (body.restraint == nullptr) {
+            continue;
+        }
+        const TrialBody& trial = trial_[b];
+        const Vec3 force = restrained_force(*body.restraint, force_[b], body.mass * trial.velocity);
+        const Vec3 torque = restrained_torque(*body.restraint, torque_[b],
+                                              world_inertia(body, trial.pose.orientation), trial.spin);
+        holds_[b] = {force - force_[b], torque - torque_[b]};
+        force_[b] = force;
+        torque_[b] = torque;
+    }
+}
+
 void StepProblem::fill_residual() {
     for (std::size_t b = 0; b < trial_.size(); ++b) {
         const Body& body = system_.bodies[b];
@@ -114,6 +136,21 @@ void StepProblem::fill_residual() {
             body.mass * trial.velocity - start.momentum - formulas_.beta_h * force_[b];
         residual_.segment<3>(row + 3) = world_inertia(body, trial.pose.orientation) * trial.spin -
                                         start.angular_momentum - formulas_.beta_h * torque_[b];
+        if (body.restraint != nullptr) {
+            fill_held_rows(b, *body.restraint);
+        }
+    }
+}
+
+// About an axis that is held the spin is known.
+void StepProblem::fill_held_rows(std::size_t b, const Restraint& restraint) {
+    const Vec3 before = spin(system_.bodies[b], system_.states[b]);
+    const Vec3 off = trial_[b].spin - spin_after(restraint, before, formulas_.step);
+    for (int axis = 0; axis < 3; ++axis) {
+        if (restraint.held(axis)) {
+            residual_[static_cast<Eigen::Index>(6 * b + 3) + axis] =
+                held_inertia(system_.bodies[b]) * off[axis];
+        }
     }
 }
 
@@ -154,9 +191,9 @@ void StepProblem::solve_inertia(Eigen::VectorXd& x) const {
             x.segment<6>(row).setZero();
             continue;
         }
-        x.segment<3>(row) /= system_.bodies[b].mass;
-        const Mat3 turning = turning_inertia(system_.bodies[b], trial_[b]);
-        x.segment<3>(row + 3) = turning.inverse() * x.segment<3>(row + 3);
+        const Mat6 block = inertia_block(system_.bodies[b], trial_[b], formulas_.beta_h);
+        x.segment<3>(row) /= block(0, 0);
+        x.segment<3>(row + 3) = block.bottomRightCorner<3, 3>().inverse() * x.segment<3>(row + 3);
     }
 }
 
@@ -172,7 +209,7 @@ void StepProblem::new_states(std::vector<BodyState>& states) const {
             states[b].angular_momentum = trial.spin;
             continue;
         }
-        if (touched_[b]) {
+        if (touched_[b] || body.restraint != nullptr) {
             states[b].momentum = body.mass * trial.velocity;
             states[b].angular_momentum = world_inertia(body, trial.pose.orientation) * trial.spin;
         } else {

@@ -2,8 +2,8 @@
 
 namespace scree {
 
-BodiesCsv::BodiesCsv(const std::filesystem::path& file)
-    : csv_(file, "t,body,x,y,z,qw,qx,qy,qz,vx,vy,vz,wx,wy,wz") {}
+BodiesCsv::BodiesCsv(const std::filesystem::path& file, std::optional<std::uint64_t> kept)
+    : csv_(file, "t,body,x,y,z,qw,qx,qy,qz,vx,vy,vz,wx,wy,wz", kept) {}
 
 void BodiesCsv::write(double time, std::span<const BodyRecord> bodies) {
     for (const BodyRecord& body : bodies) {

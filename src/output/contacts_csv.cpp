@@ -10,8 +10,8 @@ void add(CsvFile& csv, const Vec3& vector) {
 
 }  // namespace
 
-ContactsCsv::ContactsCsv(const std::filesystem::path& file)
-    : csv_(file, "t,a,b,px,py,pz,nx,ny,nz,volume,area,depth,fn,ftx,fty,ftz,slip") {}
+ContactsCsv::ContactsCsv(const std::filesystem::path& file, std::optional<std::uint64_t> kept)
+    : csv_(file, "t,a,b,px,py,pz,nx,ny,nz,volume,area,depth,fn,ftx,fty,ftz,slip", kept) {}
 
 void ContactsCsv::write(double time, std::span<const Contact> contacts,
                         std::span<const ContactResult> results, std::span<const std::string> names) {

@@ -1,10 +1,6 @@
 #include <scree/output/csv_file.hpp>
 
-#include <cerrno>
 #include <charconv>
-#include <cstring>
-
-#include <scree/output/output_folder.hpp>
 
 namespace scree {
 
@@ -20,10 +16,14 @@ void append_number(std::string& text, double value) {
     text.append(digits, end);
 }
 
-CsvFile::CsvFile(const std::filesystem::path& file, std::string_view header)
-    : file_(file), stream_(file, std::ios::binary | std::ios::trunc), rows_(header) {
-    rows_ += '\n';
-    flush();
+CsvFile::CsvFile(const std::filesystem::path& file, std::string_view header,
+                 std::optional<std::uint64_t> kept)
+    : file_(kept ? AppendedFile(file, *kept) : AppendedFile(file)) {
+    if (!kept) {
+        rows_ = header;
+        rows_ += '\n';
+        flush();
+    }
 }
 
 CsvFile& CsvFile::add(double value) {
@@ -62,11 +62,7 @@ void CsvFile::end_row() {
 }
 
 void CsvFile::flush() {
-    stream_.write(rows_.data(), static_cast<std::streamsize>(rows_.size()));
-    stream_.flush();
-    if (!stream_) {
-        throw OutputError(file_, std::strerror(errno));
-    }
+    file_.append(rows_);
     rows_.clear();
 }
 

@@ -14,7 +14,8 @@ std::string header() {
 
 }  // namespace
 
-EnergyCsv::EnergyCsv(const std::filesystem::path& file) : csv_(file, header()) {}
+EnergyCsv::EnergyCsv(const std::filesystem::path& file, std::optional<std::uint64_t> kept)
+    : csv_(file, header(), kept) {}
 
 void EnergyCsv::write(double time, const EnergyLedger& ledger) {
     csv_.add(time);

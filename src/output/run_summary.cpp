@@ -1,6 +1,7 @@
 #include <scree/output/run_summary.hpp>
 
 #include <algorithm>
+#include <fstream>
 
 #include <nlohmann/json.hpp>
 
@@ -99,6 +100,13 @@ std::string summary_json(const RunSummary& summary) {
         json["bodies"].push_back(json_of(body));
     }
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+bool is_finished(const std::filesystem::path& file) {
+    std::ifstream stream(file);
+    const Json json = stream ? Json::parse(stream, nullptr, false) : Json();
+    return json.is_object() && json.value("status", Json()) == "done" && json.contains("end_time") &&
+           json.value("reached", Json()) == json["end_time"];
 }
 
 }  // namespace scree

@@ -61,8 +61,8 @@ double distance_integral(const Vec3& p, const Vec3& q, const Vec3& normal) {
 
 }  // namespace
 
-const Vec3& OverlapPlanes::normal(int tag) const {
-    return tag < cut_tags ? a[at(tag)].normal : b[at(tag - cut_tags)].normal;
+const Plane& OverlapPlanes::plane(int tag) const {
+    return tag < cut_tags ? a[at(tag)] : b[at(tag - cut_tags)];
 }
 
 double integrate_volume(const ClippedSolid& solid, ContactGeometry& geometry) {

@@ -12,7 +12,8 @@ struct OverlapPlanes {
     std::span<const Plane> a;
     std::span<const Plane> b;
 
-    [[nodiscard]] const Vec3& normal(int tag) const;
+    [[nodiscard]] const Plane& plane(int tag) const;
+    [[nodiscard]] const Vec3& normal(int tag) const { return plane(tag).normal; }
 };
 
 /// V and c of what is left, by the divergence theorem about one of its own vertices; returns the surface

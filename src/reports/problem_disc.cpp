@@ -106,10 +106,10 @@ Problem sliding_disc_problem() {
         "surface is an approximation to that. The error is the largest difference in place, in radii, or in "
         "turn [rad].";
     SceneDescription& scene = problem.scene = bare_scene("sliding_disc", 0.25, 5);
-    scene.shapes["disc"] = shipped_mesh("disc", 2 * radius);
+    scene.shapes["disc"] = shipped_mesh("disc", radius);
     add_floor(scene);
     const double area = 24 * std::sin(2 * std::numbers::pi / 48) * radius * radius;
-    const double height = 0.2 * radius;
+    const double height = 0.02 * radius;
     const double depth = sunk_depth(2600 * area * height * earth_gravity, area * height, area, 1e10);
     BodyDescription& disc = add_body(scene, "disc", Vec3(0, 0, height / 2 - depth));
     disc.velocity = speed * odd_direction();

@@ -19,6 +19,8 @@ class BulletEngine final : public Engine {
 
     void add(SimulationBody& body, const MaterialDescription& material) override;
     bool advance(double begin, double end) override;
+    void save(StateWriter& with) const override;
+    void restore(StateReader& with) override;
     [[nodiscard]] const StepReport& report() const override { return report_; }
     [[nodiscard]] FrameMotion motion(std::size_t number) const override;
     [[nodiscard]] std::span<const Contact> contacts() const override { return contacts_; }
@@ -38,6 +40,9 @@ class BulletEngine final : public Engine {
         double restitution = 0;
     };
 
+    static void save(const Member& member, StateWriter& with);
+    static void restore(StateReader& with, Member& member);
+    void restore_manifolds(StateReader& with);
     void step_to(double time);
     void adjust(btPersistentManifold& manifold);
     PairNumbers pair_numbers(const Member& a, const Member& b);

@@ -76,6 +76,11 @@ void check_vibration(const PrescribedMotion& motion, const std::string& place) {
     }
 }
 
+bool is_surface(const ShapeDescription& shape) {
+    const auto* mesh = std::get_if<MeshShape>(&shape);
+    return mesh != nullptr && mesh->parts == Parts::surface;
+}
+
 void check_bodies(const SceneDescription& scene) {
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
         const BodyDescription& body = scene.bodies[i];
@@ -85,6 +90,9 @@ void check_bodies(const SceneDescription& scene) {
         if (std::holds_alternative<HalfSpace>(scene.shapes.at(body.shape)) &&
             std::holds_alternative<DynamicMotion>(body.motion)) {
             throw SceneError(place + ".motion", "a half-space that is dynamic", "\"fixed\" or an object");
+        }
+        if (is_surface(scene.shapes.at(body.shape)) && std::holds_alternative<DynamicMotion>(body.motion)) {
+            throw SceneError(place + ".motion", "a surface that is dynamic", "\"fixed\" or an object");
         }
         check_start(body, place);
         if (const auto* motion = std::get_if<PrescribedMotion>(&body.motion)) {
@@ -101,6 +109,9 @@ void check_fill(const SceneDescription& scene) {
         require_name(scene.materials, fill.material, place + ".material", "material");
         if (std::holds_alternative<HalfSpace>(scene.shapes.at(fill.shape))) {
             throw SceneError(place + ".shape", in_quotes(fill.shape) + ", a half-space", "a bounded shape");
+        }
+        if (is_surface(scene.shapes.at(fill.shape))) {
+            throw SceneError(place + ".shape", in_quotes(fill.shape) + ", a surface", "a solid");
         }
     }
 }

@@ -17,7 +17,10 @@ void add_constants(const SceneDescription& scene, const PairMaterial& pair, Line
     }
     line << "Y " << pair.youngs_modulus << " Pa, friction " << pair.friction << ", damping "
          << pair.normal_damping << " normal, " << pair.tangential_damping << " tangential, Yt/Y "
-         << pair.tangential_ratio << ", torsion " << (pair.torsion ? "on" : "off");
+         << pair.tangential_ratio << ", torsion "
+         << (!pair.torsion         ? "off"
+             : pair.patch_friction ? "on patch cells"
+                                   : "on");
     if (pair.kinetic_friction) {
         line << ", kinetic friction " << *pair.kinetic_friction;
     }
@@ -79,6 +82,21 @@ void add_stepping(const SceneDescription& scene, Lines& lines) {
     }
 }
 
+void add_output(const OutputDescription& output, Lines& lines) {
+    const std::pair<const char*, bool> files[] = {{" bodies.csv", output.bodies},
+                                                  {" energy.csv", output.energy},
+                                                  {" contacts.csv", output.contacts},
+                                                  {" replay.glb", output.replay}};
+    Line line(lines);
+    line << "output: summary.json";
+    for (const auto& [name, wanted] : files) {
+        line << (wanted ? name : "");
+    }
+    if (output.checkpoint_every > 0) {
+        line << ", a checkpoint every " << output.checkpoint_every << " s";
+    }
+}
+
 void add_words(const char* title, const std::vector<std::string>& words, Lines& lines) {
     Line line(lines);
     line << title << ":";
@@ -101,6 +119,7 @@ std::vector<std::string> describe_scene(const Simulation& simulation) {
     add_materials(scene, lines);
     add_law(scene, lines);
     add_stepping(scene, lines);
+    add_output(scene.output, lines);
     const Features features = scene_features(scene);
     add_words("used", features.used, lines);
     add_words("left out", features.left_out, lines);

@@ -23,6 +23,15 @@ class Engine {
     /// From one time to the next [s]. Returns false when it cannot; the report says why.
     virtual bool advance(double begin, double end) = 0;
 
+    /// How many threads share out the work.
+    virtual void set_threads(std::size_t /*threads*/) {}
+    [[nodiscard]] virtual std::size_t threads() const { return 1; }
+
+    /// What is carried from one advance to the next.
+    virtual void save(StateWriter& with) const = 0;
+    /// Of an engine with all bodies and no advance behind it. Throws StateError.
+    virtual void restore(StateReader& with) = 0;
+
     /// What was done so far. What an engine does not know is zero.
     [[nodiscard]] virtual const StepReport& report() const = 0;
     /// Of the mass centre and the principal axes of a body that is not at its start.

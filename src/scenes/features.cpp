@@ -32,10 +32,11 @@ bool has_motion(const S& scene) {
                        [](const BodyDescription& body) { return std::holds_alternative<Kind>(body.motion); });
 }
 
+template <Parts parts>
 bool has_parts(const S& scene) {
     return std::any_of(scene.shapes.begin(), scene.shapes.end(), [](const auto& entry) {
         const auto* mesh = std::get_if<MeshShape>(&entry.second);
-        return mesh != nullptr && mesh->parts != Parts::hull;
+        return mesh != nullptr && mesh->parts == parts;
     });
 }
 
@@ -93,6 +94,15 @@ constexpr Feature features[] = {
          return by_law(s) && has_friction(s) && s.law.friction != FrictionLaw::cundall_strack_2d &&
                 has_polygonal_patches(s) && anywhere<&Material::torsion, &PairDescription::torsion>(s);
      }},
+    {"patch_friction",
+     [](const S& s) {
+         const auto flagged = [](const auto& entry) { return entry.second.patch_friction; };
+         const auto pair_flagged = [](const PairDescription& p) { return p.patch_friction; };
+         return by_law(s) && has_friction(s) && s.law.friction != FrictionLaw::cundall_strack_2d &&
+                has_polygonal_patches(s) &&
+                (std::any_of(s.materials.begin(), s.materials.end(), flagged) ||
+                 std::any_of(s.pairs.begin(), s.pairs.end(), pair_flagged));
+     }},
     {"rolling_friction",
      [](const S& s) {
          return by_law(s) && anywhere<&Material::rolling_friction, &PairDescription::rolling_friction>(s);
@@ -119,12 +129,15 @@ constexpr Feature features[] = {
     {"co_rotation",
      [](const S& s) { return has_friction_law<FrictionLaw::cundall_strack>(s) && s.law.co_rotation; }},
     {"elasticity", by_law},
+    {"elastic_potential", [](const S& s) { return by_law(s) && s.law.normal == NormalLaw::energy; }},
     {"pairs", [](const S& s) { return !s.pairs.empty(); }},
     {"meshes", has_shape<MeshShape>},
     {"boxes", has_shape<BoxShape>},
     {"spheres", has_shape<Sphere>},
     {"half_spaces", has_shape<HalfSpace>},
-    {"decomposition", has_parts},
+    {"decomposition", has_parts<Parts::decompose>},
+    {"part_files", has_parts<Parts::files>},
+    {"surfaces", has_parts<Parts::surface>},
     {"bullet_manifolds", [](const S& s) { return s.law.normal == NormalLaw::manifold; }},
     {"fixed_bodies", has_motion<FixedMotion>},
     {"prescribed_motion", has_motion<PrescribedMotion>},
@@ -134,6 +147,8 @@ constexpr Feature features[] = {
     {"energy_ledger", by_law},
     {"sleep", [](const S& s) { return s.stepping.sleep && s.stepping.method == SteppingMethod::bdf; }},
     {"bullet_solver", by_bullet},
+    {"replay", [](const S& s) { return s.output.replay; }},
+    {"checkpoints", [](const S& s) { return s.output.checkpoint_every > 0; }},
 };
 
 }  // namespace

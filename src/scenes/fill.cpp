@@ -78,7 +78,10 @@ void fill_boxes(const SceneDescription& scene, const std::map<std::string, Solid
     FreeSpace space(cell_size(scene, solids));
     for (std::size_t i = 0; i < first; ++i) {
         const Solid& solid = bodies[i].solid;
-        space.add(*solid.shape, bodies[i].start.pose * solid.body_in_file);
+        const Pose body = bodies[i].start.pose * solid.body_in_file;
+        for_each_part(solid, [&](const Shape& shape, const Vec3& position) {
+            space.add(shape, {body * position, body.orientation});
+        });
     }
     std::size_t next = first;
     for (std::size_t i = 0; i < scene.fill.size(); ++i) {
@@ -90,7 +93,9 @@ void fill_boxes(const SceneDescription& scene, const std::map<std::string, Solid
         for (std::size_t k = 0; k < fill.count; ++k) {
             SimulationBody& body = bodies[next++];
             body.material = fill.material;
-            body.solid = one_size ? solid : scaled(solid, draws.uniform(fill.size[0], fill.size[1]));
+            body.shape = fill.shape;
+            body.size = one_size ? fill.size[0] : draws.uniform(fill.size[0], fill.size[1]);
+            body.solid = one_size ? solid : scaled(solid, body.size);
             Pose pose;
             if (!find_room(*body.solid.shape, fill, space, draws, pose)) {
                 throw SceneError("fill." + std::to_string(i),

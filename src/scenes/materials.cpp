@@ -16,7 +16,10 @@ void override_named(const PairDescription& entry, PairMaterial& pair) {
     pair.tangential_ratio = entry.tangential_ratio.value_or(pair.tangential_ratio);
     pair.rolling_friction = entry.rolling_friction.value_or(pair.rolling_friction);
     pair.cohesion = entry.cohesion.value_or(pair.cohesion);
-    pair.torsion = entry.torsion.value_or(pair.torsion);
+    if (entry.torsion) {
+        pair.torsion = *entry.torsion;
+        pair.patch_friction = entry.patch_friction;
+    }
     if (entry.kinetic_friction) {
         pair.kinetic_friction = entry.kinetic_friction;
     }

@@ -8,11 +8,11 @@ namespace {
 /// true: limit surface, false, or "patch"; for materials and pairs.
 template <class T>
 void read_torsion(const Node& node, T& target) {
-    target.patch_torsion = node.value() == "patch";
-    if (!target.patch_torsion && !node.value().is_boolean()) {
+    target.patch_friction = node.value() == "patch";
+    if (!target.patch_friction && !node.value().is_boolean()) {
         node.refuse("true, false or \"patch\"");
     }
-    target.torsion = target.patch_torsion || node.value().get<bool>();
+    target.torsion = target.patch_friction || node.value().get<bool>();
 }
 
 using M = MaterialDescription;

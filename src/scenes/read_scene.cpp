@@ -48,6 +48,7 @@ SceneDescription parse_scene(std::string_view text, const std::filesystem::path&
     SceneDescription scene;
     scene.file = file;
     scene.name = scene_name(file);
+    scene.text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
     try {
         read_fields(Node(json), scene_fields, scene);
         check_in_this_build(json);

@@ -11,7 +11,8 @@ std::filesystem::path file_name(const Node& node) {
     return name(node);
 }
 
-constexpr Choice<Parts> parts_words[] = {{"hull", Parts::hull}, {"decompose", Parts::decompose}};
+constexpr Choice<Parts> parts_words[] = {
+    {"hull", Parts::hull}, {"decompose", Parts::decompose}, {"surface", Parts::surface}};
 
 void read_part_file(const Node& node, std::filesystem::path& file) {
     file = file_name(node);

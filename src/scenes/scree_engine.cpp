@@ -40,7 +40,9 @@ ScreeEngine::ScreeEngine(const SceneDescription& scene) : scene_(scene) {
         return pair_material(scene_, materials_[static_cast<std::size_t>(a.getUserIndex())],
                              materials_[static_cast<std::size_t>(b.getUserIndex())]);
     });
-    world_.set_contact_law(scene.law.friction, scene.law);
+    LawOptions options = scene.law;
+    options.elasticity = scene.law.normal == NormalLaw::energy ? Elasticity::potential : Elasticity::volume;
+    world_.set_contact_law(scene.law.friction, options);
     if (scene.law.normal == NormalLaw::manifold) {
         world_.set_contact_geometry(GeometrySource::manifold);
     }
@@ -60,6 +62,11 @@ void ScreeEngine::add(SimulationBody& body, const MaterialDescription& material)
 bool ScreeEngine::advance(double begin, double end) {
     world_.stepSimulation(end - begin, 0);
     return !world_.step_report().failed;
+}
+
+void ScreeEngine::set_threads(std::size_t threads) {
+    world_.set_threads(threads);
+    threads_ = threads;
 }
 
 FrameMotion ScreeEngine::motion(std::size_t number) const {

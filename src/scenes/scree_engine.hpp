@@ -13,6 +13,10 @@ class ScreeEngine final : public Engine {
 
     void add(SimulationBody& body, const MaterialDescription& material) override;
     bool advance(double begin, double end) override;
+    void set_threads(std::size_t threads) override;
+    [[nodiscard]] std::size_t threads() const override { return threads_; }
+    void save(StateWriter& with) const override { world_.save(with); }
+    void restore(StateReader& with) override { world_.restore(with); }
     [[nodiscard]] const StepReport& report() const override { return world_.step_report(); }
     [[nodiscard]] FrameMotion motion(std::size_t number) const override;
     [[nodiscard]] std::span<const Contact> contacts() const override { return world_.system().contacts; }
@@ -23,6 +27,7 @@ class ScreeEngine final : public Engine {
 
   private:
     const SceneDescription& scene_;
+    std::size_t threads_ = 1;
     std::vector<std::string> materials_;  ///< of the bodies
     std::vector<bool> mirrored_;          ///< the world holds the negative, equal quaternion
     btDefaultCollisionConfiguration configuration_;

@@ -44,6 +44,7 @@ std::vector<SimulationBody> listed_bodies(const SceneDescription& scene,
     for (const BodyDescription& description : scene.bodies) {
         SimulationBody& body = bodies.emplace_back();
         body.material = description.material;
+        body.shape = description.shape;
         body.solid = solids.at(description.shape);
         body.motion = description.motion;
         body.start = {{description.position, description.orientation},
@@ -156,6 +157,30 @@ const DynamicsWorld& Simulation::world() const {
 
 double Simulation::time() const {
     return report().failed ? report().time : times_.at(tick_);
+}
+
+void Simulation::set_threads(std::size_t threads) {
+    engine_->set_threads(threads);
+}
+
+std::size_t Simulation::threads() const {
+    return engine_->threads();
+}
+
+SavedState Simulation::save() const {
+    SavedState state;
+    StateWriter with(state);
+    with(tick_);
+    engine_->save(with);
+    return state;
+}
+
+void Simulation::restore(const SavedState& state) {
+    StateReader with(state);
+    with(tick_);
+    StateReader::require(tick_ >= 0 && tick_ <= times_.last());
+    engine_->restore(with);
+    with.finish();
 }
 
 bool Simulation::advance() {

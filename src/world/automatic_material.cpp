@@ -1,5 +1,7 @@
 #include <scree/world/automatic_material.hpp>
 
+#include <BulletCollision/CollisionDispatch/btManifoldResult.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -49,6 +51,15 @@ double resting_volume_of(const ConvexPolyhedron& solid, const Shape& shape, doub
         }
     }
     return least;
+}
+
+bool has_stiffness(const btCollisionObject& object) {
+    return (object.getCollisionFlags() & btCollisionObject::CF_HAS_CONTACT_STIFFNESS_DAMPING) != 0;
+}
+
+// γn with which a face of area Lc² has a damper [N s/m] beside a spring [N/m].
+double damping_of(double damper, double spring, double mass) {
+    return std::max(0.0, damper) / std::sqrt(spring * mass);
 }
 
 // Where a round shape can lie down on, in its own frame.
@@ -106,22 +117,59 @@ double resting_volume(const Shape& shape, double depth) {
     return least;
 }
 
+SurfaceProperties surface_properties(const btCollisionObject& object) {
+    SurfaceProperties surface;
+    surface.friction = object.getFriction();
+    surface.restitution = object.getRestitution();
+    surface.rolling_friction = object.getRollingFriction();
+    if (has_stiffness(object)) {
+        surface.stiffness = object.getContactStiffness();
+        surface.damping = object.getContactDamping();
+    }
+    return surface;
+}
+
 Material automatic_material(const UnnamedBody& body, const BodyShape& shape, double gravity) {
+    const SurfaceProperties& surface = body.surface;
     Material material;
-    material.friction = std::max(body.friction, 0.0);
-    material.normal_damping = normal_damping(damping_ratio(body.restitution));
+    material.friction = std::max(surface.friction, 0.0);
+    material.normal_damping = normal_damping(damping_ratio(surface.restitution));
     material.youngs_modulus = infinity;
     if (std::isinf(body.mass)) {
         return material;
     }
     material.density = body.mass / shape.volume;
+    const double length = characteristic_length({body.mass, body.radius}, {});
+    material.rolling_friction = std::max(surface.rolling_friction, 0.0) / (0.5 * length);
+    if (surface.stiffness < infinity) {
+        material.youngs_modulus = surface.stiffness / length;
+        material.normal_damping = damping_of(surface.damping, surface.stiffness, body.mass);
+        return material;
+    }
     double volume = infinity;
     for (const BodyPart& part : shape.parts) {
         volume = std::min(volume, resting_volume(*part.shape, sinking * body.radius));
     }
-    const double length = characteristic_length({body.mass, body.radius}, {});
     material.youngs_modulus = body.mass * std::max(gravity, least_gravity) * length / volume;
     return material;
+}
+
+PairMaterial combined_by_bullet(PairMaterial pair, const btCollisionObject& object_a, const BodySize& a,
+                                const btCollisionObject& object_b, const BodySize& b) {
+    pair.even_damping = true;  // a ball, too, is to bounce as its restitution says
+    pair.friction = std::max(0.0, gCalculateCombinedFrictionCallback(&object_a, &object_b));
+    const double rolling = gCalculateCombinedRollingFrictionCallback(&object_a, &object_b);
+    pair.rolling_friction = std::max(0.0, rolling) / (0.5 * characteristic_length(a, b));
+    if (has_stiffness(object_a) || has_stiffness(object_b)) {
+        const double stiffness = gCalculateCombinedContactStiffnessCallback(&object_a, &object_b);
+        const double damping = gCalculateCombinedContactDampingCallback(&object_a, &object_b);
+        pair.youngs_modulus = stiffness / characteristic_length(a, b);
+        pair.normal_damping = damping_of(damping, stiffness, reduced_mass(a, b));
+    } else {
+        const double bounce = gCalculateCombinedRestitutionCallback(&object_a, &object_b);
+        pair.normal_damping = normal_damping(damping_ratio(bounce));
+    }
+    return pair;
 }
 
 }  // namespace scree

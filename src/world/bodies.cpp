@@ -7,6 +7,7 @@
 #include <scree/detect/convert.hpp>
 
 #include "physical_body.hpp"
+#include "shape_stamp.hpp"
 
 namespace scree {
 
@@ -17,8 +18,10 @@ void Bodies::add(btCollisionObject& object) {
     body.rigid = btRigidBody::upcast(&object);
     body.bullet_shape = object.getCollisionShape();
     body.shape = translate(object);
+    body.shape_stamp = shape_stamp(*body.bullet_shape);
     body.motion = motion_of(object);
     check_motion(body);
+    body.restraint = restraint_of(body, 1);
     body.transform.setOrigin(unseen());
     body.velocity = unseen();
 
@@ -52,9 +55,6 @@ void Bodies::check_motion(const WorldBody& body) {
         throw std::invalid_argument(
             "a plane, a mesh of triangles or a height field cannot belong to a body that forces move");
     }
-    if (body.rigid != nullptr) {
-        check_factors(*body.rigid);
-    }
 }
 
 void Bodies::prescribe(int number, std::shared_ptr<const PrescribedPath> path) {
@@ -82,7 +82,13 @@ bool Bodies::any_open() const {
 
 void Bodies::follow_shapes() {
     for (WorldBody& body : bodies_) {
-        if (body.object != nullptr && body.object->getCollisionShape() != body.bullet_shape) {
+        if (body.object == nullptr) {
+            continue;
+        }
+        const btCollisionShape* present = body.object->getCollisionShape();
+        const std::uint64_t stamp = present != nullptr ? shape_stamp(*present) : 0;
+        if (present != body.bullet_shape || stamp != body.shape_stamp) {
+            body.shape_stamp = stamp;
             body.shape = translate(*body.object);
             body.bullet_shape = body.object->getCollisionShape();
             body.contacts_end = true;

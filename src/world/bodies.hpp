@@ -8,8 +8,10 @@
 #include <utility>
 #include <vector>
 
+#include <scree/bdf/groups.hpp>
 #include <scree/detect/body_shape.hpp>
 #include <scree/dynamics/step_problem.hpp>
+#include <scree/world/automatic_material.hpp>
 
 namespace scree {
 
@@ -26,11 +28,13 @@ struct WorldBody {
     btRigidBody* rigid = nullptr;                    ///< the same, null for a plain collision object
     const btCollisionShape* bullet_shape = nullptr;  ///< that `shape` was made from
     BodyShape shape;
-    bool contacts_end = false;  ///< the shape is another one
+    std::uint64_t shape_stamp = 0;  ///< of that, see shape_stamp.hpp
+    bool contacts_end = false;      ///< the shape is another one
     Motion motion = Motion::fixed;
     std::shared_ptr<const PrescribedPath> path;  ///< null: as Bullet has it
-    double friction = 0;                         ///< Bullet's, as last seen
-    double restitution = 0;                      ///< Bullet's, as last seen
+    std::shared_ptr<const Restraint> restraint;  ///< null: none
+    SurfaceProperties surface;                   ///< as last seen
+    int activation = ACTIVE_TAG;                 ///< Bullet's state, as last seen or written
 
     btTransform transform;  ///< as last read or written
     btVector3 velocity;
@@ -39,7 +43,9 @@ struct WorldBody {
 
 /// What reading the bodies has shown to be other than the method left it.
 struct Changes {
-    std::vector<int> bodies;  ///< that have another pose, velocity or mass: their groups start afresh
+    std::vector<int> bodies;  ///< that have another pose, velocity, mass or are woken or stopped: their
+                              ///< groups start afresh
+    std::vector<int> moved;   ///< that have another pose: what their contacts remember is void
     bool any = false;         ///< there are such, or bodies more or less
     bool constants = false;   ///< something that pair constants are made of
 };
@@ -66,9 +72,9 @@ class Bodies {
     /// to the end of stepSimulation's time, when kinematic bodies are to have reached their targets.
     Changes read(double now, double tick, double left);
 
-    /// Hands the states of dynamic bodies and those on paths to Bullet. `arrived`: kinematic bodies are at
-    /// their targets.
-    void write(bool arrived);
+    /// Hands the states of dynamic bodies and those on paths to Bullet, and which of them are at rest.
+    /// `arrived`: kinematic bodies are at their targets.
+    void write(bool arrived, const Groups& groups);
 
     [[nodiscard]] std::span<const WorldBody> all() const { return bodies_; }
 
@@ -83,6 +89,8 @@ class Bodies {
     static void check_motion(const WorldBody& body);
     BodyShape translate(const btCollisionObject& object);
     void follow_shapes();
+    static void write_activation(WorldBody& body, bool asleep);
+    void read_activation(std::size_t number, Changes& changes);
     void read_one(std::size_t number, double now, double tick, double left, Changes& changes);
     void read_motion(std::size_t number, double now, double left, Changes& changes);
 

@@ -20,7 +20,24 @@ bool same(const btTransform& a, const btTransform& b) {
 }
 
 bool same(const Body& a, const Body& b) {
-    return a.mass == b.mass && a.inertia == b.inertia && a.radius == b.radius && a.path == b.path;
+    return a.mass == b.mass && a.inertia == b.inertia && a.radius == b.radius && a.path == b.path &&
+           a.restraint == b.restraint;
+}
+
+// A new one has a new address, by which the groups tell.
+void renew_restraint(WorldBody& body, double tick) {
+    const std::shared_ptr<const Restraint> present = restraint_of(body, tick);
+    if ((present == nullptr) != (body.restraint == nullptr) ||
+        (present != nullptr && !(*present == *body.restraint))) {
+        body.restraint = present;
+    }
+}
+
+Rest rest_of(int activation) {
+    if (activation == DISABLE_DEACTIVATION || gDisableDeactivation) {
+        return Rest::never;
+    }
+    return activation == WANTS_DEACTIVATION ? Rest::wanted : Rest::by_option;
 }
 
 bool finite(const BodyState& state) {
@@ -31,7 +48,8 @@ bool finite(const BodyState& state) {
 }  // namespace
 
 Changes Bodies::read(double now, double tick, double left) {
-    Changes changes{{}, added_or_removed_, added_or_removed_};
+    Changes changes;
+    changes.any = changes.constants = added_or_removed_;
     added_or_removed_ = false;
     for (std::size_t number = 0; number < bodies_.size(); ++number) {
         read_one(number, now, tick, left, changes);
@@ -51,6 +69,7 @@ void Bodies::read_one(std::size_t number, double now, double tick, double left, 
     const bool other_motion = motion != body.motion;
     body.motion = motion;
     check_motion(body);
+    renew_restraint(body, tick);
     const Body present = physical_body(body);
     if (other_motion || !same(physical, present)) {
         physical = present;
@@ -58,15 +77,28 @@ void Bodies::read_one(std::size_t number, double now, double tick, double left, 
         changes.bodies.push_back(static_cast<int>(number));
         changes.constants = true;
     }
-    if (body.friction != body.object->getFriction() || body.restitution != body.object->getRestitution()) {
-        body.friction = body.object->getFriction();
-        body.restitution = body.object->getRestitution();
+    if (const SurfaceProperties surface = surface_properties(*body.object); surface != body.surface) {
+        body.surface = surface;
         changes.constants = true;
     }
     read_motion(number, now, left, changes);
     if (motion == Motion::dynamic) {
-        read_forces(*body.rigid, system_.states[number], tick, physical);
+        read_forces(*body.rigid, physical);
+        read_activation(number, changes);
     }
+}
+
+// What Bullet's user does to a body that rests, or to put it to rest, is seen as a change of its state.
+void Bodies::read_activation(std::size_t number, Changes& changes) {
+    WorldBody& body = bodies_[number];
+    const int activation = body.rigid->getActivationState();
+    const bool put_to_rest = activation == ISLAND_SLEEPING && body.activation != ISLAND_SLEEPING;
+    const bool woken = activation != ISLAND_SLEEPING && body.activation == ISLAND_SLEEPING;
+    if (put_to_rest || woken) {
+        changes.bodies.push_back(static_cast<int>(number));
+    }
+    system_.bodies[number].rest = put_to_rest ? Rest::from_outside : rest_of(activation);
+    body.activation = activation;
 }
 
 void Bodies::read_motion(std::size_t number, double now, double left, Changes& changes) {
@@ -89,6 +121,7 @@ void Bodies::read_motion(std::size_t number, double now, double left, Changes& c
         body.transform = transform;
         body.velocity = unseen();  // the spin is kept, not the angular momentum
         changes.bodies.push_back(static_cast<int>(number));
+        changes.moved.push_back(static_cast<int>(number));
     }
     if (body.motion == Motion::fixed) {
         set_velocity(system_.bodies[number], Vec3::Zero(), Vec3::Zero(), state);
@@ -104,7 +137,7 @@ void Bodies::read_motion(std::size_t number, double now, double left, Changes& c
     }
 }
 
-void Bodies::write(bool arrived) {
+void Bodies::write(bool arrived, const Groups& groups) {
     for (std::size_t number = 0; number < bodies_.size(); ++number) {
         WorldBody& body = bodies_[number];
         BodyState& state = system_.states[number];
@@ -124,7 +157,19 @@ void Bodies::write(bool arrived) {
         body.rigid->setLinearVelocity(body.velocity);
         body.rigid->setAngularVelocity(body.spin);
         body.rigid->setCenterOfMassTransform(body.transform);
+        if (body.motion == Motion::dynamic) {
+            write_activation(body, groups.asleep(static_cast<int>(number)));
+        }
     }
+}
+
+void Bodies::write_activation(WorldBody& body, bool asleep) {
+    if (asleep) {
+        body.rigid->setActivationState(ISLAND_SLEEPING);
+    } else if (body.rigid->getActivationState() == ISLAND_SLEEPING) {
+        body.rigid->forceActivationState(ACTIVE_TAG);
+    }
+    body.activation = body.rigid->getActivationState();
 }
 
 }  // namespace scree

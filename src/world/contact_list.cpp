@@ -23,6 +23,13 @@ bool ContactList::renew(std::span<const PartPair> pairs, const Maker& make) {
     return true;
 }
 
+void ContactList::remake(const Maker& make) {
+    contacts_.clear();
+    for (const PartPair& pair : pairs_) {
+        contacts_.push_back(make(pair));
+    }
+}
+
 void ContactList::clear() {
     contacts_.clear();
     pairs_.clear();

@@ -24,6 +24,15 @@ class ContactList {
     /// new_numbers: by a body's old number, ascending where they are kept; −1: its contacts end.
     void renumber(std::span<const int> new_numbers);
 
+    /// The pairs; what the contacts remember is the system's.
+    friend void visit_state(auto& with, StateOf<ContactList> auto& list) {
+        auto& [contacts, pairs, next] = list;
+        with(pairs);
+    }
+    [[nodiscard]] std::span<const PartPair> pairs() const { return pairs_; }
+    /// Makes the contacts of the pairs anew.
+    void remake(const Maker& make);
+
   private:
     std::vector<Contact>& contacts_;
     std::vector<PartPair> pairs_;  ///< of the contacts

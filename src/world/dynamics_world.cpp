@@ -33,6 +33,10 @@ Material DynamicsWorld::material(const btRigidBody& body) const {
     return implementation_->material(body, getGravity().length());
 }
 
+PairMaterial DynamicsWorld::pair_material(const btRigidBody& a, const btRigidBody& b) const {
+    return implementation_->pair_material(a, b, getGravity().length());
+}
+
 void DynamicsWorld::set_mixing(Mixing mixing) {
     implementation_->materials().set_mixing(std::move(mixing));
     implementation_->constants_changed();
@@ -48,10 +52,17 @@ void DynamicsWorld::set_path(const btRigidBody& body, std::shared_ptr<const Pres
 
 void DynamicsWorld::set_forces(std::unique_ptr<ContactForces> forces) {
     implementation_->law().set(std::move(forces));
+    implementation_->law_changed();
+}
+
+void DynamicsWorld::set_forces(const Material& a, const Material& b, std::unique_ptr<ContactForces> forces) {
+    implementation_->materials().set_law(a, b, implementation_->law().add(std::move(forces)));
+    implementation_->law_changed();
 }
 
 void DynamicsWorld::set_contact_law(FrictionLaw friction, const LawOptions& options) {
     implementation_->law().set(friction, options);
+    implementation_->law_changed();
 }
 
 void DynamicsWorld::set_contact_geometry(GeometrySource source) {
@@ -78,6 +89,14 @@ int DynamicsWorld::body_number(const btCollisionObject& body) const {
     return implementation_->bodies().number(body);
 }
 
+void DynamicsWorld::save(StateWriter& with) const {
+    implementation_->save(with);
+}
+
+void DynamicsWorld::restore(StateReader& with) {
+    implementation_->restore(with, *this, getGravity().length());
+}
+
 int DynamicsWorld::stepSimulation(btScalar time, int max_ticks, btScalar tick) {
     const std::size_t before = step_report().ticks;
     const int asked = btDiscreteDynamicsWorld::stepSimulation(time, max_ticks, tick);
@@ -85,13 +104,6 @@ int DynamicsWorld::stepSimulation(btScalar time, int max_ticks, btScalar tick) {
 }
 
 void DynamicsWorld::saveKinematicState(btScalar time) {
-    // Bullet may have put a body to sleep, or its user may have; here all are awake.
-    for (int i = 0; i < m_nonStaticRigidBodies.size(); ++i) {
-        const int state = m_nonStaticRigidBodies[i]->getActivationState();
-        if (state == ISLAND_SLEEPING || state == WANTS_DEACTIVATION) {
-            m_nonStaticRigidBodies[i]->forceActivationState(ACTIVE_TAG);
-        }
-    }
     btDiscreteDynamicsWorld::saveKinematicState(time);
     implementation_->begin_call(time);
 }
@@ -118,6 +130,10 @@ void DynamicsWorld::internalSingleStepSimulation(btScalar tick) {
 
 void DynamicsWorld::addConstraint(btTypedConstraint* /*constraint*/, bool /*disable_collisions*/) {
     throw std::invalid_argument("joints are not done: scree::DynamicsWorld takes no constraints");
+}
+
+void DynamicsWorld::solveConstraints(btContactSolverInfo& /*info*/) {
+    throw std::logic_error("there is no solver of constraints: contacts are forces, see stepSimulation");
 }
 
 // Before Bullet's own part, so that a body that is refused is not added at all.
@@ -152,6 +168,12 @@ void DynamicsWorld::removeCollisionObject(btCollisionObject* object) {
 
 void DynamicsWorld::forget(const btCollisionObject& object) {
     implementation_->remove(object);
+}
+
+void DynamicsWorld::applyGravity() {
+    for (int i = 0; i < m_nonStaticRigidBodies.size(); ++i) {
+        m_nonStaticRigidBodies[i]->applyGravity();
+    }
 }
 
 void DynamicsWorld::updateAabbs() {

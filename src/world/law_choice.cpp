@@ -49,6 +49,35 @@ void LawChoice::set(FrictionLaw friction, const LawOptions& options) {
     built_in_ = built_in_law(parts_, options_);
 }
 
+int LawChoice::add(std::unique_ptr<ContactForces> forces) {
+    added_.push_back(std::move(forces));
+    return static_cast<int>(added_.size());
+}
+
+const ContactForces& LawChoice::of(int law) const {
+    if (law > 0 && added_[static_cast<std::size_t>(law - 1)]) {
+        return *added_[static_cast<std::size_t>(law - 1)];
+    }
+    return given_ ? *given_ : *built_in_;
+}
+
+// Contacts that follow one another and have the same law, at once.
+void LawChoice::evaluate(std::span<const Contact> contacts, std::span<const TrialBody> bodies,
+                         const StepFormulas& formulas, Detail detail,
+                         std::span<ContactResult> results) const {
+    std::size_t begin = 0;
+    while (begin < contacts.size()) {
+        const int law = contacts[begin].pair.law;
+        std::size_t end = added_.empty() ? contacts.size() : begin + 1;
+        while (end < contacts.size() && contacts[end].pair.law == law) {
+            ++end;
+        }
+        of(law).evaluate(contacts.subspan(begin, end - begin), bodies, formulas, detail,
+                         results.subspan(begin, end - begin));
+        begin = end;
+    }
+}
+
 LawParts LawChoice::needed(std::span<const Contact> contacts) const {
     LawParts parts{FrictionLaw::none, false, false};
     for (const Contact& contact : contacts) {

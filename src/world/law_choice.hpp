@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include <scree/dynamics/contact_forces.hpp>
 
@@ -14,19 +15,23 @@ class LawChoice final : public ContactForces {
     /// The built-in law, with other choices.
     void set(FrictionLaw friction, const LawOptions& options);
 
+    /// For contacts of another number than 0, see PairConstants::law; returns the number. Null: the law of
+    /// all others.
+    int add(std::unique_ptr<ContactForces> forces);
+
     /// For the evaluations that follow.
     void choose(std::span<const Contact> contacts);
 
     void evaluate(std::span<const Contact> contacts, std::span<const TrialBody> bodies,
                   const StepFormulas& formulas, Detail detail,
-                  std::span<ContactResult> results) const override {
-        (given_ ? given_ : built_in_)->evaluate(contacts, bodies, formulas, detail, results);
-    }
+                  std::span<ContactResult> results) const override;
 
   private:
+    [[nodiscard]] const ContactForces& of(int law) const;
     [[nodiscard]] LawParts needed(std::span<const Contact> contacts) const;
 
     std::unique_ptr<ContactForces> given_;
+    std::vector<std::unique_ptr<ContactForces>> added_;
     FrictionLaw friction_ = FrictionLaw::cundall_strack;
     LawOptions options_;
     LawParts parts_;  ///< of the built-in law as it is

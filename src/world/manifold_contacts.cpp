@@ -2,6 +2,15 @@
 
 namespace scree {
 
+namespace {
+
+Pose pose_of(const System& system, int body) {
+    const BodyState& state = system.states[static_cast<std::size_t>(body)];
+    return {state.position, state.orientation};
+}
+
+}  // namespace
+
 bool ManifoldContacts::wanted(const BodyPart& a, const BodyPart& b) const {
     return all_ || std::holds_alternative<OpenSurface>(*a.shape) ||
            std::holds_alternative<OpenSurface>(*b.shape);
@@ -20,10 +29,6 @@ void ManifoldContacts::freeze(const btDispatcherInfo& info, const System& system
     if (made_.empty()) {
         return;
     }
-    const auto pose = [&](int body) -> Pose {
-        const BodyState& state = system.states[static_cast<std::size_t>(body)];
-        return {state.position, state.orientation};
-    };
     for (const Contact& contact : system.contacts) {
         const auto found = made_.find(contact.geometry.get());
         if (found == made_.end()) {
@@ -39,7 +44,25 @@ void ManifoldContacts::freeze(const btDispatcherInfo& info, const System& system
         made.time = time;
         made.reach = reach;
         const double area = contact.pair.length * contact.pair.length;
-        made.geometry->update({pose(contact.a.body), pose(contact.b.body), reach, area}, info);
+        made.geometry->update({pose_of(system, contact.a.body), pose_of(system, contact.b.body), reach, area},
+                              info);
+    }
+}
+
+void ManifoldContacts::save(const System& system, StateWriter& with) const {
+    for (const Contact& contact : system.contacts) {
+        if (const auto found = made_.find(contact.geometry.get()); found != made_.end()) {
+            found->second.geometry->save(with);
+        }
+    }
+}
+
+void ManifoldContacts::restore(StateReader& with, const btDispatcherInfo& info, const System& system) {
+    for (const Contact& contact : system.contacts) {
+        if (const auto found = made_.find(contact.geometry.get()); found != made_.end()) {
+            found->second.geometry->restore(
+                with, {pose_of(system, contact.a.body), pose_of(system, contact.b.body)}, info);
+        }
     }
 }
 

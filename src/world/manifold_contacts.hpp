@@ -31,6 +31,10 @@ class ManifoldContacts {
     void freeze(const btDispatcherInfo& info, const System& system, std::span<const SearchBody> bodies,
                 double time);
 
+    /// What they carry from one freezing to the next, in the order of the system's contacts.
+    void save(const System& system, StateWriter& with) const;
+    void restore(StateReader& with, const btDispatcherInfo& info, const System& system);
+
     /// An object is about to go.
     void forget(const btCollisionObject& object);
 

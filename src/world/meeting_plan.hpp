@@ -17,7 +17,11 @@ class MeetingPlan {
                   const std::function<void(double)>& search);
 
     [[nodiscard]] double last() const { return last_; }
-    void set_last(double span) { last_ = span; }
+
+    friend void visit_state(auto& with, StateOf<MeetingPlan> auto& plan) {
+        auto& [last] = plan;
+        with(last);
+    }
 
   private:
     double last_ = 0;  ///< [s] between the last two meetings; 0: none yet

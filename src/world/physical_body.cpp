@@ -10,18 +10,35 @@ namespace scree {
 
 namespace {
 
-// Of a body that may not turn, over m ℓ²: large enough to hold it, small enough to compute with.
-constexpr double locked_inertia = 1e12;
+// Of a body about an axis of its own about which Bullet lets it not turn, over m ℓ²: large enough to hold it,
+// small enough to compute with.
+constexpr double stiff_inertia = 1e8;
+constexpr double free_inertia = 0.4;  // a ball's, of a body that does not turn anyway
 
 constexpr double rounding = 1e-14;  // of the weight, in the total force that Bullet adds up
 
-bool may_turn(const btRigidBody& rigid) {
-    return !rigid.getAngularFactor().isZero() && !rigid.getInvInertiaDiagLocal().isZero();
+constexpr double all_of_it = 20;  // lifetimes in a tick, after which nothing is left
+
+// [1/s]: Bullet leaves (1 − damping)ᵗ of a velocity after a time t.
+double damping_rate(double damping, double tick) {
+    return std::min(-std::log1p(-std::min(damping, 1.0)), all_of_it / tick);
 }
 
-// The share of momentum per second that a tick's damping takes, as Bullet defines it.
-double damping_rate(double damping, double tick) {
-    return damping > 0 ? (1 - std::pow(1 - damping, tick)) / tick : 0;
+Vec3 principal_inertia(const btRigidBody& rigid, double size) {
+    const Vec3 inverse = to_eigen(rigid.getInvInertiaDiagLocal());
+    if (inverse.isZero(0)) {
+        return Vec3::Constant(free_inertia * size);
+    }
+    return inverse.cwiseMax(1 / (stiff_inertia * size)).cwiseInverse();
+}
+
+// What a factor has let through of it.
+Vec3 before_factor(const btVector3& seen, const btVector3& factor) {
+    Vec3 whole;
+    for (int axis = 0; axis < 3; ++axis) {
+        whole[axis] = factor[axis] != 0 ? seen[axis] / factor[axis] : 0;
+    }
+    return whole;
 }
 
 }  // namespace
@@ -45,24 +62,38 @@ Body physical_body(const WorldBody& body) {
     }
     physical.mass = 1 / body.rigid->getInvMass();
     physical.radius = sphere_radius(body.shape.volume);
-    if (may_turn(*body.rigid)) {
-        physical.inertia = to_eigen(body.rigid->getInvInertiaDiagLocal()).cwiseInverse();
-    } else {
-        physical.inertia.setConstant(locked_inertia * physical.mass * physical.radius * physical.radius);
-    }
+    physical.inertia = principal_inertia(*body.rigid, physical.mass * physical.radius * physical.radius);
+    physical.restraint = body.restraint.get();
     return physical;
 }
 
-void read_forces(const btRigidBody& rigid, const BodyState& state, double tick, Body& body) {
-    const double slowing = damping_rate(rigid.getLinearDamping(), tick);
-    const double turning_down = damping_rate(rigid.getAngularDamping(), tick);
+std::shared_ptr<const Restraint> restraint_of(const WorldBody& body, double tick) {
+    if (body.motion != Motion::dynamic) {
+        return nullptr;
+    }
+    const btRigidBody& rigid = *body.rigid;
+    Restraint restraint;
+    restraint.along = to_eigen(rigid.getLinearFactor());
+    restraint.around =
+        rigid.getInvInertiaDiagLocal().isZero() ? Vec3::Zero() : to_eigen(rigid.getAngularFactor());
+    restraint.slowing = damping_rate(rigid.getLinearDamping(), tick);
+    restraint.turning_down = damping_rate(rigid.getAngularDamping(), tick);
+    return restraint == Restraint() ? nullptr : std::make_shared<const Restraint>(restraint);
+}
+
+void read_forces(const btRigidBody& rigid, Body& body) {
     body.weight = body.mass * to_eigen(rigid.getGravity());
-    body.force = to_eigen(rigid.getTotalForce()) - body.weight;
+    const Vec3 all = before_factor(rigid.getTotalForce(), rigid.getLinearFactor());
+    body.force = all - body.weight;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (rigid.getLinearFactor()[axis] == 0) {
+            body.force[axis] = 0;  // nothing is known of it, and nothing comes of it
+        }
+    }
     if (body.force.norm() <= rounding * body.weight.norm()) {
         body.force.setZero();
     }
-    body.force -= slowing * state.momentum;
-    body.torque = to_eigen(rigid.getTotalTorque()) - turning_down * state.angular_momentum;
+    body.torque = before_factor(rigid.getTotalTorque(), rigid.getAngularFactor());
 }
 
 void set_velocity(const Body& body, const Vec3& velocity, const Vec3& spin, BodyState& state) {
@@ -84,15 +115,6 @@ void aim(const Pose& target, double time, BodyState& state) {
     const double angle = 2 * std::atan2(sine, turn.w());
     state.momentum = (target.position - state.position) / time;
     state.angular_momentum = sine > 0 ? Vec3(angle / (sine * time) * turn.vec()) : Vec3::Zero();
-}
-
-void check_factors(const btRigidBody& rigid) {
-    const Vec3 along = to_eigen(rigid.getLinearFactor());
-    const Vec3 around = to_eigen(rigid.getAngularFactor());
-    if (along != Vec3::Ones() || (around != Vec3::Ones() && around != Vec3::Zero())) {
-        throw std::invalid_argument(
-            "linear and angular factors are not done, but for an angular factor of 0");
-    }
 }
 
 }  // namespace scree

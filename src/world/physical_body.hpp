@@ -13,20 +13,22 @@ inline btVector3 unseen() {
 
 Motion motion_of(const btCollisionObject& object);
 
+/// Bullet's factors of a dynamic body's axes, and its damping; null when they leave the body free. A body
+/// that has no inertia about any axis does not turn. Damping takes its share a second at the same rate all
+/// the time; all of it, within a tick [s].
+std::shared_ptr<const Restraint> restraint_of(const WorldBody& body, double tick);
+
 /// Mass, inertia and size, without forces.
 Body physical_body(const WorldBody& body);
 
-/// The forces from outside over a tick [s]: those that were applied, gravity among them, and Bullet's damping
-/// as the constant force that takes the same momentum away in a tick.
-void read_forces(const btRigidBody& rigid, const BodyState& state, double tick, Body& body);
+/// The forces from outside: those that were applied, gravity among them. Bullet has multiplied them by its
+/// factors already, which is undone here.
+void read_forces(const btRigidBody& rigid, Body& body);
 
 /// Sets the momenta of a body that has the given velocities.
 void set_velocity(const Body& body, const Vec3& velocity, const Vec3& spin, BodyState& state);
 
 /// Sets the velocities that take a prescribed body to `target` in `time` [s].
 void aim(const Pose& target, double time, BodyState& state);
-
-/// Throws std::invalid_argument for bodies whose motion is locked along some axes only.
-void check_factors(const btRigidBody& rigid);
 
 }  // namespace scree

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include <scree/mesh/saved_state.hpp>
+
 namespace scree {
 
 /// Ends of ticks, each by one multiplication, so that the same times come out however often one starts again.
@@ -21,6 +23,11 @@ class TickClock {
         return start_ + static_cast<double>(count_ + 1) * tick_;
     }
     void advance() { ++count_; }
+
+    friend void visit_state(auto& with, StateOf<TickClock> auto& clock) {
+        auto& [start, tick, count] = clock;
+        with(start, tick, count);
+    }
 
   private:
     double start_ = 0;

@@ -50,8 +50,29 @@ void WorldImplementation::read_bodies(double tick) {
     for (const int body : changes.bodies) {
         groups_.restart(body);
     }
+    forget_contacts_of(changes.moved);
     changed_ = changed_ || changes.any;
     constants_changed_ = constants_changed_ || changes.constants;
+}
+
+// A body was put elsewhere: its springs belonged to where it was.
+void WorldImplementation::forget_contacts_of(std::span<const int> bodies) {
+    if (bodies.empty()) {
+        return;
+    }
+    const auto among = [&](int body) { return std::binary_search(bodies.begin(), bodies.end(), body); };
+    for (Contact& contact : system_.contacts) {
+        if (among(contact.a.body) || among(contact.b.body)) {
+            contact.history = {};
+        }
+    }
+}
+
+void WorldImplementation::law_changed() {
+    for (Contact& contact : system_.contacts) {
+        contact.history = {};
+    }
+    options_changed_ = true;
 }
 
 void WorldImplementation::prepare(double gravity) {
@@ -168,7 +189,7 @@ void WorldImplementation::write_bodies(double tick) {
         ++report_.ticks;
         report_.time = clock_.now();
     }
-    bodies_.write(!report_.failed && call_left_ < 0.5 * tick);
+    bodies_.write(!report_.failed && call_left_ < 0.5 * tick, groups_);
 }
 
 void WorldImplementation::update_manifolds(btCollisionWorld& world, double tick) {
@@ -221,6 +242,17 @@ void WorldImplementation::set_stepping(const SteppingOptions& options) {
     make_integrator(none, law_, options);  // refuses what no method has
     options_ = options;
     options_changed_ = true;
+}
+
+PairMaterial WorldImplementation::pair_material(const btRigidBody& a, const btRigidBody& b, double gravity) {
+    const int one = bodies_.number(a);
+    const int other = bodies_.number(b);
+    if (one < 0 || other < 0) {
+        throw std::invalid_argument("a body that is not in this world has no material here");
+    }
+    materials_.prepare(bodies_.all(), system_.bodies, gravity);
+    return materials_.pair(bodies_.all(), system_.bodies, static_cast<std::size_t>(std::min(one, other)),
+                           static_cast<std::size_t>(std::max(one, other)));
 }
 
 Material WorldImplementation::material(const btRigidBody& body, double gravity) const {

@@ -41,7 +41,10 @@ class WorldImplementation {
     /// Before Bullet's own part.
     void remove(const btCollisionObject& object);
     void constants_changed() { constants_changed_ = true; }
+    /// What contacts remember belongs to another law.
+    void law_changed();
     [[nodiscard]] Material material(const btRigidBody& body, double gravity) const;
+    [[nodiscard]] PairMaterial pair_material(const btRigidBody& a, const btRigidBody& b, double gravity);
 
     /// stepSimulation is about to run for `time` [s], after which prescribed bodies are at their targets.
     void begin_call(double time) { call_left_ = time; }
@@ -52,10 +55,26 @@ class WorldImplementation {
     /// Tells the broadphase where Bullet has the bodies at present.
     void place(btCollisionWorld& world);
 
+    /// What is carried from one tick to the next.
+    void save(StateWriter& with) const;
+    /// Of a world that has no tick behind it. Throws StateError.
+    void restore(StateReader& with, btCollisionWorld& world, double gravity);
+
+    /// All but the contacts and the groups.
+    friend void visit_state(auto& with, StateOf<WorldImplementation> auto& world) {
+        auto& [system, bodies, materials, law, list, cover, search, manifold_contacts, manifolds, options,
+               workers, groups, plan, demand, clock, account, report, call_left, options_changed, changed,
+               constants_changed] = world;
+        with.each(system.bodies);
+        with.each(system.states);
+        with(list, plan, clock, account, report);
+    }
+
   private:
     bool guarded(const std::function<void()>& part);
     void read_bodies(double tick);
     void prepare(double gravity);
+    void forget_contacts_of(std::span<const int> bodies);
     void step_to(btCollisionWorld& world, double end);
     double to_meeting(btCollisionWorld& world, double now, double end);
     double choose_meeting(btCollisionWorld& world, double now, double end);
@@ -65,6 +84,7 @@ class WorldImplementation {
     void take_accounts();
     [[nodiscard]] Contact make_contact(const PartPair& pair);
     [[nodiscard]] PairConstants constants(int a, int b) const;
+    [[nodiscard]] bool possible(std::span<const PartPair> pairs) const;
     void write_bodies(double tick);
 
     System system_;

@@ -46,8 +46,15 @@ class Folder {
 /// The program, running; what it prints goes to files in a folder.
 class Child {
   public:
-    Child(const Folder& folder, std::vector<std::string> words) : folder_(folder) {
-        words.insert(words.begin(), program());
+    enum class Words {
+        arguments,  ///< of the program
+        whole,      ///< another program first
+    };
+    Child(const Folder& folder, std::vector<std::string> words, Words kind = Words::arguments)
+        : folder_(folder) {
+        if (kind == Words::arguments) {
+            words.insert(words.begin(), program());
+        }
         std::vector<char*> arguments;
         arguments.reserve(words.size() + 1);
         for (std::string& word : words) {
@@ -74,13 +81,13 @@ class Child {
     [[nodiscard]] std::string output() const { return text_of(folder_ / "stdout"); }
     [[nodiscard]] std::string errors() const { return text_of(folder_ / "stderr"); }
 
-  private:
     /// The build puts it into the folder above that of the tests.
     static std::string program() {
         const auto self = std::filesystem::read_symlink("/proc/self/exe");
         return (self.parent_path().parent_path() / "scree").string();
     }
 
+  private:
     const Folder& folder_;
     pid_t process_ = 0;
 };

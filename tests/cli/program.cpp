@@ -158,11 +158,12 @@ TEST_CASE("Bad usage is refused by one line", "[cli]") {
     check_refused(folder, {"run", scene, "--set"}, "--set");
     check_refused(folder, {"mesh", folder / "none.obj"}, "none.obj");
     check_refused(folder, {"mesh", cube_file, "--scale", "0"}, "scale");
-    check_refused(folder, {"resume", folder / "out"}, "resume: not in this build");
     check_refused(folder, {"report"}, "PART");
     check_refused(folder, {"report", "beauty"}, "beauty");
     check_refused(folder, {"report", "cost", "--only", "beauty", "--out", folder / "out"},
                   "--only beauty: found no such problem, axis or table");
+    check_refused(folder, {"resume"}, "DIR");
+    check_refused(folder, {"resume", folder / "out", "--until", "soon"}, "--until");
 }
 
 TEST_CASE("What cannot be written ends with status 4", "[cli]") {
@@ -203,8 +204,13 @@ TEST_CASE("Ctrl-C leaves what there is and ends with status 130", "[cli]") {
 TEST_CASE("Help, version, list and check exit 0", "[cli]") {
     const Folder folder;
     const std::string scene = folder.write("small.json", small_scene);
-    for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
-             {"--help"}, {"--version"}, {"report", "--help"}, {"run", "--help"}, {"mesh", "--help"}, {"list"}, {"check", scene}}) {
+    for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{{"--help"},
+                                                                                       {"--version"},
+                                                                                       {"report", "--help"},
+                                                                                       {"run", "--help"},
+                                                                                       {"mesh", "--help"},
+                                                                                       {"list"},
+                                                                                       {"check", scene}}) {
         const Child child(folder, words);
         CHECK(child.wait() == 0);
         CHECK_FALSE(child.output().empty());

@@ -41,7 +41,9 @@ inline std::vector<LawCombination> law_combinations() {
                     for (const bool torsion : {true, false}) {
                         for (const bool co_rotation : {true, false}) {
                             all.push_back(
-                                {friction, {damping, normal_damping, stiffness, mass, co_rotation}, torsion});
+                                {friction,
+                                 {Elasticity::volume, damping, normal_damping, stiffness, mass, co_rotation},
+                                 torsion});
                         }
                     }
                 }
@@ -52,8 +54,8 @@ inline std::vector<LawCombination> law_combinations() {
 }
 
 /// A random contact under that law, its motion such that about as many stick as slip.
-inline ContactCase random_case(Random& random, const LawCombination& law) {
-    ContactCase c = random_case(random);
+inline ContactCase random_case(Random& random, const LawCombination& law, bool on_cells = false) {
+    ContactCase c = random_case(random, on_cells);
     c.options = law.options;
     c.pair.torsion = law.torsion;
     const bool viscous = law.friction == FrictionLaw::viscous;
@@ -70,6 +72,11 @@ inline ContactCase random_case(Random& random, const LawCombination& law) {
     c.motion = {softer * c.motion.velocity, softer * c.motion.spin};
     for (FrictionRecord& record : c.history.past) {
         record.force *= 0.5;
+    }
+    for (PatchRecord& record : c.history.patch) {
+        for (Vec3& force : record.force) {
+            force *= 0.5;
+        }
     }
     if (random.uniform() < 0.5) {
         c.pair.rolling_friction = 0.3;

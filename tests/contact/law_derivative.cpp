@@ -1,33 +1,12 @@
 #include <catch2/catch.hpp>
 
 #include <tests/contact/law_combinations.hpp>
-#include <tests/contact/law_path.hpp>
-#include <tests/support/finite_difference.hpp>
+#include <tests/contact/law_error.hpp>
 
 using namespace scree;
 using namespace scree::test;
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
 
 namespace {
-
-// The law's derivative against differences: force over its size, moment over force and lever.
-double law_error(const ContactCase& c, const LawPath& path,
-                 FrictionLaw friction = FrictionLaw::cundall_strack) {
-    const auto f = [&](const VectorXd& x) -> VectorXd {
-        const ContactForce out = path.at(c, x).force_by(friction);
-        VectorXd all(6);
-        all << out.force, out.moment;
-        return all;
-    };
-    const MotionRates rates = path.rates(c);
-    const ContactForce out = c.force_by(friction, &rates);
-    MatrixXd jacobian(6, 9);
-    jacobian << out.force_rate, out.moment_rate;
-    VectorXd rows(6);
-    rows << Vec3::Constant(c.normal_force()), Vec3::Constant(c.normal_force() * 0.03);
-    return jacobian_error(f, VectorXd::Zero(9), jacobian, VectorXd::Ones(9), rows);
-}
 
 enum class Regime { stick, damped_to_the_limit, slip };
 

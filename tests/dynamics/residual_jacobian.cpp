@@ -248,3 +248,17 @@ TEST_CASE("The residual's Jacobian agrees with differences for rolling resistanc
         }
     }
 }
+
+TEST_CASE("The residual's Jacobian agrees with differences for the force of a potential", "[dynamics]") {
+    const LawOptions options{.elasticity = Elasticity::potential};
+    for (const std::string kind :
+         {"polyhedron, polyhedron", "polyhedron, half-space", "sphere, polyhedron"}) {
+        for (const double friction : {0.0, 0.3, 1e6}) {
+            INFO(kind << ", μ = " << friction);
+            const Seen seen = check(kind, friction, Second::free, options, 2);
+            CHECK(seen.stick + seen.slip > 20);
+            CHECK(seen.worst <
+                  10 * differences);  // third differences of cells that are smaller than the overlap
+        }
+    }
+}

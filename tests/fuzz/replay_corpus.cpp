@@ -47,3 +47,11 @@ TEST_CASE("The kept meshes of the fuzzer are accepted or refused by one line", "
         CHECK_NOTHROW(try_mesh(bytes_of(file)));
     }
 }
+
+TEST_CASE("The kept checkpoints of the fuzzer are accepted or refused by one line", "[fuzz]") {
+    CHECK(corpus("checkpoint").size() >= 5);
+    for (const fs::path& file : corpus("checkpoint")) {
+        INFO(file);
+        CHECK_NOTHROW(try_checkpoint(bytes_of(file)));
+    }
+}

@@ -2,18 +2,23 @@
 
 #include <unistd.h>
 
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <string>
 
 #include <scree/mesh_io/describe_mesh.hpp>
+#include <scree/output/checkpoint.hpp>
 #include <scree/scenes/describe_scene.hpp>
 #include <scree/scenes/read_scene.hpp>
 
 #include <src/mesh_io/check_ply.hpp>
 #include <src/mesh_io/collada_asset.hpp>
+
+#include <tests/scenes/small_scene.hpp>
 
 namespace scree::test {
 
@@ -76,6 +81,34 @@ class File {
     std::filesystem::path path_;
 };
 
+/// The state of a small run after two ticks.
+SavedState small_state() {
+    Simulation simulation(small_scene_with({"output.replay=false"}));
+    simulation.advance();
+    simulation.advance();
+    return simulation.save();
+}
+
+/// Each ten bytes are a place and what is put there.
+SavedState changed(SavedState state, std::string_view bytes) {
+    struct Change {
+        std::uint16_t place;
+        std::uint64_t value;
+    };
+    constexpr std::size_t size = 10;
+    for (; bytes.size() >= size; bytes.remove_prefix(size)) {
+        Change change{};
+        std::memcpy(&change.place, bytes.data(), sizeof change.place);
+        std::memcpy(&change.value, bytes.data() + sizeof change.place, sizeof change.value);
+        if (const std::size_t place = change.place / 2; change.place % 2 == 0) {
+            state.counts[place % state.counts.size()] = change.value;
+        } else {
+            std::memcpy(&state.numbers[place % state.numbers.size()], &change.value, sizeof change.value);
+        }
+    }
+    return state;
+}
+
 }  // namespace
 
 void try_scene(std::string_view bytes) {
@@ -97,6 +130,17 @@ void try_mesh(std::string_view bytes) {
     refusing<MeshError>([&] { check_ply(file.path()); });
     refusing<MeshError>([&] { check_collada_asset(file.path()); });
     refusing<MeshError>([&] { describe_mesh(file.path()); });
+}
+
+void try_checkpoint(std::string_view bytes) {
+    static const SavedState good = small_state();
+    refusing<CheckpointError>([&] { parse_checkpoint(bytes); });
+    refusing<CheckpointError>([&] { parse_checkpoint(sealed_checkpoint(bytes)); });
+    Simulation simulation(small_scene_with({"output.replay=false"}));
+    try {
+        simulation.restore(changed(good, bytes));
+    } catch (const StateError&) {
+    }
 }
 
 }  // namespace scree::test

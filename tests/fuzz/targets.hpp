@@ -13,4 +13,8 @@ void try_scene(std::string_view bytes);
 /// Bytes as a mesh file, of a kind by the first of them: loaded, and described when it is one.
 void try_mesh(std::string_view bytes);
 
+/// Bytes as a checkpoint, as the contents of one whose checksum is right, and as changes to the state of a
+/// run, which is then restored from it.
+void try_checkpoint(std::string_view bytes);
+
 }  // namespace scree::test

@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include <scree/output/energy_csv.hpp>
 #include <scree/output/run_summary.hpp>
 #include <scree/version.hpp>
 

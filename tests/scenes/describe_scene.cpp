@@ -38,6 +38,13 @@ TEST_CASE("A scene is described by what a run will use", "[scenes]") {
               "tangential stiffness length, "
               "co-rotation on, reduced mass point");
     check_has(lines, "stepping: bdf, adaptive step, orders 1 to 2, rtol 0.001, atol 1e-06, solver auto");
+    check_has(lines, "output: summary.json bodies.csv energy.csv replay.glb");
+}
+
+TEST_CASE("What a run will write is described", "[scenes]") {
+    check_has(
+        lines_of({"output={\"bodies\":false,\"contacts\":true,\"replay\":false,\"checkpoint_every\":0.5}"}),
+        "output: summary.json energy.csv contacts.csv, a checkpoint every 0.5 s");
 }
 
 TEST_CASE("Pairs are described by what they come to, with the mixing rules", "[scenes]") {
@@ -63,7 +70,7 @@ TEST_CASE("Bodies that move as prescribed are described by their motion, those o
 
 TEST_CASE("What Bullet's own solver will use is described for it", "[scenes]") {
     const auto lines = lines_of({"stepping={\"method\":\"bullet\",\"step\":0.01,\"iterations\":20}"});
-    check_has(lines, "stepping: bullet, step 0.01 s at most, 20 iterations");
+    check_has(lines, "stepping: bullet, step 0.01 s at most, 20 iterations, GJK, friction directions 1");
     check_has(lines, "law: none of scree's, impulses of Bullet's own solver");
     check_has(lines, "material: rock, 2600 kg/m³; on itself friction 0.5, restitution 0.506277");
 }

@@ -27,7 +27,7 @@ TEST_CASE("A scene uses what it enters, and leaves out the rest", "[scenes]") {
         CAPTURE(left_out);
         CHECK_FALSE(features.uses(left_out));
     }
-    CHECK(features.used.size() + features.left_out.size() == 31);
+    CHECK(features.used.size() + features.left_out.size() == 35);
 }
 
 TEST_CASE("Friction and what hangs on it are left out together", "[scenes]") {
@@ -94,4 +94,11 @@ TEST_CASE("Kinetic friction is used where a material or a pair names it", "[scen
 
 TEST_CASE("A fixed step leaves the error control out", "[scenes]") {
     CHECK_FALSE(uses("error_control", {"stepping.step=1e-4"}));
+}
+
+TEST_CASE("What is not written is left out", "[scenes]") {
+    CHECK(uses("replay", {}));
+    CHECK_FALSE(uses("replay", {"output.replay=false"}));
+    CHECK_FALSE(uses("checkpoints", {}));
+    CHECK(uses("checkpoints", {"output.checkpoint_every=1"}));
 }

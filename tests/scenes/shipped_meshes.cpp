@@ -1,6 +1,7 @@
 #include <cmath>
 #include <filesystem>
 #include <numbers>
+#include <set>
 
 #include <catch2/catch.hpp>
 
@@ -45,14 +46,17 @@ TEST_CASE("The regular solids among the meshes have their volumes, vertices and 
     }
 }
 
-TEST_CASE("All meshes that come with scree are closed and convex", "[scenes]") {
+TEST_CASE("All meshes that come with scree are closed, and convex but for those that show parts and surfaces",
+          "[scenes]") {
+    const std::set<std::string> hollow{"ell", "gear", "arch", "mug"};
     int count = 0;
     for (const auto& entry : fs::directory_iterator(folder)) {
         if (entry.path().extension() == ".obj") {
             CAPTURE(entry.path());
             const MeshDescription mesh = describe_mesh(entry.path());
-            CHECK(mesh.closed);
-            CHECK(mesh.convex);
+            const std::string name = entry.path().stem();
+            CHECK(mesh.closed == (name != "hopper"));
+            CHECK(mesh.convex == (name != "hopper" && !hollow.contains(name)));
             ++count;
         }
     }

@@ -244,13 +244,7 @@ constexpr BadSetting bad_settings[] = {
 };
 
 constexpr BadSetting absent_settings[] = {
-    {"law.normal=energy", "law.normal: found \"energy\", which is not in this build"},
-    {"materials.rock.torsion=patch", "materials.rock.torsion: found \"patch\", which is not in this build"},
-    {"shapes.s={\"mesh\":\"a.obj\",\"parts\":\"decompose\"}",
-     "shapes.s.parts: found \"decompose\", which is"},
-    {"output.replay=true", "output.replay: found true, which is not in this build"},
     {"output.vtk=true", "output.vtk: found true, which is not in this build"},
-    {"output.checkpoint_every=0.1", "output.checkpoint_every: found 0.1, which is not in this build"},
 };
 
 template <std::size_t count>

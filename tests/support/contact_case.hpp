@@ -2,6 +2,7 @@
 
 #include <array>
 #include <limits>
+#include <optional>
 
 #include <scree/contact/built_in_law.hpp>
 #include <scree/overlap/overlap.hpp>
@@ -25,6 +26,7 @@ struct ContactCase {
     double cap = std::numeric_limits<double>::infinity();
     PairArms arms;
     LawOptions options;
+    std::optional<PatchCells> cells;  ///< set: friction is on them
 
     ContactCase() {
         geometry.volume = 0.01 * 1e-4;
@@ -58,7 +60,8 @@ struct ContactCase {
     [[nodiscard]] ContactForce force(const MotionRates* rates = nullptr) const {
         const FrictionStep step{{std::span(past).first(order), beta_h}, turn_a, turn_b, cap};
         ContactForce out;
-        BuiltInLaw<parts>{options}({geometry, motion, pair, history, step, arms, rates}, out);
+        BuiltInLaw<parts>{options}(
+            {geometry, motion, pair, history, step, arms, rates, cells ? &*cells : nullptr}, out);
         return out;
     }
 
@@ -77,9 +80,39 @@ struct ContactCase {
     }
 };
 
+/// A face with an outline on a half-space, sunk in by 0.1 mm, with friction on its cells; else as a
+/// ContactCase.
+inline ContactCase face_on_cells(const ConvexPolyhedron& solid, double half_height) {
+    ContactCase c;
+    OverlapWorkspace workspace;
+    const Pose pose{{0, 0, half_height - 1e-4}, Quat::Identity()};
+    overlap(solid, pose, HalfSpace{}, {}, Detail::derivative, false, workspace, c.geometry);
+    c.cells.emplace();
+    if (!cut_into_cells(c.geometry, pose, workspace, *c.cells)) {
+        c.cells.reset();
+    }
+    return c;
+}
+
+/// A random past for friction on the cells of the present patch.
+inline void remember_on_cells(Random& random, double force, ContactCase& c) {
+    for (std::size_t j = 0; j < c.history.age; ++j) {
+        PatchRecord record;
+        record.axis = c.history.past[j].normal.cross(random.vector()).normalized();
+        for (Vec3& each : record.force) {
+            each = force * random.vector();
+        }
+        for (std::size_t i = 0; i < PatchCells::count; ++i) {
+            record.slipping[i] = random.uniform() < 0.3;
+        }
+        c.history.patch.push_back(record);
+    }
+    c.history.patch_age = c.history.age;
+}
+
 /// A contact of two random polyhedra with random motion, past and turns: half of them slip, some have no
 /// force.
-inline ContactCase random_case(Random& random) {
+inline ContactCase random_case(Random& random, bool on_cells = false) {
     ContactCase c;
     OverlapWorkspace workspace;
     do {
@@ -102,6 +135,14 @@ inline ContactCase random_case(Random& random) {
         c.history.push({force * random.vector(), normal, random.uniform(0.5, 2) * c.patch_stiffness()});
         c.turn_a[static_cast<std::size_t>(i)] = rotation(0.1 * random.vector());
         c.turn_b[static_cast<std::size_t>(i)] = rotation(0.1 * random.vector());
+    }
+    if (on_cells) {
+        c.cells.emplace();
+        c.cells->axis = c.geometry.normal.unitOrthogonal();
+        if (!cut_into_cells(c.geometry, {}, workspace, *c.cells)) {
+            c.cells.reset();
+        }
+        remember_on_cells(random, force, c);
     }
     c.arms = {0.06 * random.vector(), 0.07 * random.vector(), random.rotation(), random.rotation()};
     return c;

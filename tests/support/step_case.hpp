@@ -132,6 +132,8 @@ struct StepCase {
 /// derivative.
 template <LawParts parts = LawParts{}>
 struct WholeDerivativeLaw {
+    static constexpr bool gives_rates = true;
+    static constexpr bool gives_power = true;
     BuiltInLaw<parts> law;
     double lever = 0;
 
@@ -139,8 +141,10 @@ struct WholeDerivativeLaw {
         ContactGeometry geometry = in.geometry;
         geometry.lever = lever;
         geometry.flat_patch = false;
-        law({geometry, in.motion, in.pair, in.history, in.step, in.arms, in.rates}, out);
+        law({geometry, in.motion, in.pair, in.history, in.step, in.arms, in.rates, nullptr, in.potential},
+            out);
     }
+    [[nodiscard]] bool wants_potential() const { return law.wants_potential(); }
 };
 
 }  // namespace scree::test

@@ -10,23 +10,24 @@
 
 namespace scree::test {
 
-/// A world with everything that Bullet wants beside it, and bodies that go with it.
-class BulletScene {
+/// A world, this one's or Bullet's own, with everything that Bullet wants beside it, and bodies that go with
+/// it.
+template <class World>
+class SceneOf {
   public:
     btDefaultCollisionConfiguration configuration;
     btCollisionDispatcher dispatcher{&configuration};
     btDbvtBroadphase broadphase;
-    std::unique_ptr<DynamicsWorld> world =
-        std::make_unique<DynamicsWorld>(&dispatcher, &broadphase, nullptr, &configuration);
+    std::unique_ptr<World> world = std::make_unique<World>(&dispatcher, &broadphase, nullptr, &configuration);
 
-    BulletScene() { world->setGravity(btVector3(0, 0, -9.81)); }
-    ~BulletScene() {
+    SceneOf() { world->setGravity(btVector3(0, 0, -9.81)); }
+    ~SceneOf() {
         for (const auto& body : bodies_) {
             world->removeRigidBody(body.get());
         }
     }
-    BulletScene(const BulletScene&) = delete;
-    BulletScene& operator=(const BulletScene&) = delete;
+    SceneOf(const SceneOf&) = delete;
+    SceneOf& operator=(const SceneOf&) = delete;
 
     template <class ShapeType, class... Arguments>
     ShapeType& shape(Arguments&&... arguments) {
@@ -77,6 +78,9 @@ class BulletScene {
     std::vector<std::unique_ptr<btCollisionShape>> shapes_;
     std::vector<std::unique_ptr<btRigidBody>> bodies_;
 };
+
+using BulletScene = SceneOf<DynamicsWorld>;
+using StockScene = SceneOf<btDiscreteDynamicsWorld>;
 
 inline Material rock(double youngs_modulus = 1e9, double friction = 0.5) {
     Material material;

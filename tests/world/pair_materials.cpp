@@ -136,3 +136,52 @@ TEST_CASE("a choice of the built-in law holds from the next tick on, and a law o
     scene.world->set_contact_law(BuiltInLaw<LawParts{}>{});
     CHECK(std::abs(speed_after_a_while()) < 1e-9);
 }
+
+TEST_CASE("Bullet's contact stiffness, damping and rolling friction are taken over, and can be asked for") {
+    CubeOnFloor on;
+    on.cube.setContactStiffnessAndDamping(2e5, 30);
+    on.cube.setRollingFriction(0.01);
+    on.floor.setFriction(1);
+    on.floor.setRollingFriction(0.02);
+    on.cube.setFriction(0.5);
+    const Material own = on.scene.world->material(on.cube);
+    CHECK(own.youngs_modulus == Approx(2e5 / on.length()));
+    CHECK(own.normal_damping == Approx(30 / std::sqrt(2e5)));
+    CHECK(own.rolling_friction == Approx(0.01 / (0.5 * on.length())));
+    // Bullet adds the dampings, of which each body has 0.1 unless told otherwise, puts the stiffnesses in a
+    // row, and weighs each rolling friction with the other's friction.
+    const PairMaterial pair = on.scene.world->pair_material(on.floor, on.cube);
+    CHECK(pair.youngs_modulus == Approx(2e5 / on.length()));
+    CHECK(pair.normal_damping == Approx(30.1 / std::sqrt(2e5)));
+    CHECK(pair.rolling_friction == Approx((0.01 + 0.01) / (0.5 * on.length())));
+    CHECK(pair.friction == Approx(0.5));
+    CHECK(pair.even_damping);
+    const PairConstants constants = on.pair();
+    CHECK(constants.elastic == Approx(pair.youngs_modulus / on.length()));
+    on.scene.world->set_material(on.cube, rock(1e9, 0.4));
+    CHECK(on.scene.world->pair_material(on.floor, on.cube).youngs_modulus == 1e9);
+    CHECK_FALSE(on.pair().even_damping);
+}
+
+TEST_CASE("a ball with Bullet's rolling friction comes to rest, one without rolls on") {
+    const auto speed = [](double rolling) {
+        BulletScene scene;
+        btRigidBody& floor = scene.add_floor();
+        btRigidBody& ball = scene.add(1, scene.shape<btSphereShape>(0.1), Vec3(0, 0, 0.1));
+        floor.setFriction(1);
+        ball.setFriction(0.5);
+        ball.setRollingFriction(rolling);
+        for (int i = 0; i < 100; ++i) {
+            if (i == 10) {
+                ball.setLinearVelocity(btVector3(0.5, 0, 0));
+                ball.setAngularVelocity(btVector3(0, 5, 0));
+            }
+            scene.world->stepSimulation(0.01, 1, 0.01);
+        }
+        INFO(scene.world->step_report().message);
+        REQUIRE_FALSE(scene.world->step_report().failed);
+        return ball.getLinearVelocity().length();
+    };
+    CHECK(speed(0) == Approx(0.5).epsilon(1e-2));
+    CHECK(speed(0.02) < 1e-3);
+}

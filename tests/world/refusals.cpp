@@ -32,15 +32,17 @@ TEST_CASE("what the world cannot do is refused when it is added") {
     SECTION("a body that is there already") {
         refused(scene.add(1, box, Vec3::Zero()));
     }
-    SECTION("motion locked along an axis") {
-        btRigidBody& body = scene.make(1, box, Vec3::Zero());
-        body.setLinearFactor(btVector3(1, 1, 0));
-        refused(body);
-        body.setLinearFactor(btVector3(1, 1, 1));
-        body.setAngularFactor(btVector3(0, 0, 1));
-        refused(body);
-        body.setAngularFactor(0);
-        CHECK_NOTHROW(scene.world->addRigidBody(&body));
+    SECTION("soft bodies, fluids and multibodies") {
+        struct OfType : btCollisionObject {
+            explicit OfType(int type) { m_internalType = type; }
+        };
+        for (const int type : {btCollisionObject::CO_SOFT_BODY, btCollisionObject::CO_HF_FLUID,
+                               btCollisionObject::CO_FEATHERSTONE_LINK}) {
+            OfType object(type);
+            object.setCollisionShape(&box);
+            CHECK_THROWS_WITH(scene.world->addCollisionObject(&object), Catch::Contains("multibodies"));
+            CHECK(scene.world->getNumCollisionObjects() == 0);
+        }
     }
     SECTION("joints") {
         btPoint2PointConstraint joint(scene.add(1, box, Vec3::Zero()), btVector3(0, 0, 0));

@@ -15,6 +15,10 @@ struct Stiffness {
     /// About the factor by which an iteration of the functional corrector shrinks its error, at βh [s].
     [[nodiscard]] double number(double beta_h) const;
 };
+void visit_state(auto& with, StateOf<Stiffness> auto& stiffness) {
+    auto& [frequency_squared, damping_rate] = stiffness;
+    with(frequency_squared, damping_rate);
+}
 
 /// Solves the equations of an implicit step, by the functional iteration where the forces are soft at the
 /// present step, by Newton's method where they are not.

@@ -20,6 +20,8 @@ class ExplicitStepper final : public Integrator {
   private:
     /// Adds the forces of the last evaluation, over `duration` [s], to momenta.
     void kick(double duration, std::vector<BodyState>& states) const;
+    /// Gives bodies back the spins that are held, of which a `duration` [s] of the step has passed.
+    void hold_spins(double duration, std::vector<BodyState>& states) const;
     /// Moves all bodies to `time` [s] with the velocities of `states` and computes the forces there.
     void drift(double time, const std::vector<BodyState>& states);
     [[nodiscard]] bool finite(const std::vector<BodyState>& states) const;

@@ -54,15 +54,27 @@ class Group {
     /// Hands states and contact memories back: a meeting.
     void commit(System& whole, std::vector<ContactResult>& results);
 
+    /// What it carries from one meeting to the next.
+    friend void visit_state(auto& with, StateOf<Group> auto& group) {
+        auto& [bodies, options, system, contacts, integrator, start, influences, covers, demand, restart,
+               arrived, failed, asleep, calm, results, leaders] = group;
+        with(start, asleep, calm, results);
+    }
+    /// As after the meeting of which the state is. Throws StateError for one of other bodies and contacts.
+    void go_on(const System& whole, std::span<const std::size_t> contacts);
+
   private:
     [[nodiscard]] bool same_contacts(const System& whole, std::span<const std::size_t> contacts) const;
     bool load_bodies(const System& whole);
+    void assume(std::size_t body);
     void load_contacts(const System& whole, std::span<const std::size_t> contacts);
     void shorten_memories();
     void hand_back(System& whole) const;
     bool covered(std::span<const TrialBody> trial);
     [[nodiscard]] static bool drives(const Body& body, const BodyState& state, double time);
     [[nodiscard]] bool at_rest() const;
+    [[nodiscard]] bool may_rest() const;
+    bool stopped_from_outside(System& whole, double time);
 
     std::vector<int> bodies_;
     SteppingOptions options_;
@@ -70,13 +82,18 @@ class Group {
     std::vector<std::size_t> contacts_;  ///< numbers in the whole
     std::unique_ptr<Integrator> integrator_;
     SteppingMemory start_;
+    struct Influence {
+        Vec3 force, torque;
+    };
+    std::vector<Influence> influences_;  ///< what acts from outside less what did at the last load
     std::span<const BodyCover> covers_;
     std::span<double> demand_;
     bool restart_ = true;
     bool arrived_ = false;
     bool failed_ = false;
     bool asleep_ = false;
-    std::size_t calm_ = 0;      ///< meetings at which it was at rest, in a row
+    std::size_t calm_ = 0;                ///< meetings at which it was at rest, in a row
+    std::vector<ContactResult> results_;  ///< of a group asleep: what its contacts did when it fell asleep
     std::vector<int> leaders_;  ///< bodies whose contacts keep their whole past at the next load; empty: all
 };
 

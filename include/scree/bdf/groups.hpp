@@ -41,11 +41,18 @@ class Groups {
     /// A meeting: the whole gets the states and contact memories; prescribed bodies move as prescribed.
     void commit(double end);
 
+    /// What is carried from one meeting to the next.
+    void save(StateWriter& with) const;
+    /// As after a meeting at `time` [s], of which the whole is already. Throws StateError.
+    void restore(StateReader& with, double time);
+
     /// What each of the whole's contacts did at the last meeting; empty after a failure.
     [[nodiscard]] std::span<const ContactResult> results() const { return results_; }
     /// A group that could not go on in the last advance; null: there is none.
     [[nodiscard]] const Group* failed() const;
     [[nodiscard]] std::size_t count() const { return groups_.size(); }
+    /// Whether a body's group is at rest and steps no more.
+    [[nodiscard]] bool asleep(int body) const;
     [[nodiscard]] std::span<const std::unique_ptr<Group>> all() const { return groups_; }
 
     /// What has flowed since last taken.
@@ -63,6 +70,8 @@ class Groups {
     int root(int body);
     void sort_parts(std::size_t parts);
     void collect(std::size_t part);
+    [[nodiscard]] std::span<const std::size_t> contacts_of(std::size_t part) const;
+    void number_bodies();
     std::unique_ptr<Group> group_for(std::size_t part, double time);
     [[nodiscard]] std::vector<const Group*> parents_of(std::span<const int> bodies) const;
     void move_prescribed(double end);

@@ -28,9 +28,21 @@ class StateHistory {
     /// Σ formula.past[j] y_{n−j} for each body.
     void start(const BdfFormula& formula, std::size_t order, std::vector<BodyStart>& starts) const;
 
+    /// Makes a body's past what would have led to its present state had this much more force [N] and torque
+    /// [N m] acted: so that a formula goes smoothly over a jump in what acts from outside.
+    void assume(std::size_t body, const Body& what, const Vec3& force, const Vec3& torque);
+
     /// A body's state at a time between the oldest and the latest, by the polynomial through the latest
     /// `points` values.
     [[nodiscard]] BodyState at(double time, std::size_t body, std::size_t points) const;
+
+    friend void visit_state(auto& with, StateOf<StateHistory> auto& history) {
+        auto& [times, states] = history;
+        std::size_t count = times.size();
+        with.up_to(most, count);
+        with.first(count, times);
+        with.first(count, states);
+    }
 
   private:
     std::vector<double> times_;

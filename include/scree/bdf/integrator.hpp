@@ -32,6 +32,12 @@ struct SteppingMemory {
     std::vector<Vec3> force,
         torque;  ///< [N], [N m], that a next explicit step or a first error test starts from
 };
+void visit_state(auto& with, StateOf<SteppingMemory> auto& memory) {
+    auto& [time, last_step, next_step, order, held, suspect, barred, stiffness, patience, past, powers, force,
+           torque] = memory;
+    with.up_to(highest_order, order);
+    with(time, last_step, next_step, held, suspect, barred, stiffness, patience, past, powers, force, torque);
+}
 
 /// Why `Integrator::step` has come back.
 enum class StepOutcome {
@@ -53,6 +59,8 @@ class Integrator {
     /// Goes on from the system's present states with what was carried that far.
     virtual void resume(const SteppingMemory& memory) = 0;
     [[nodiscard]] const SteppingMemory& memory() const { return memory_; }
+    /// As after the step that left this memory.
+    void recall(const SteppingMemory& memory) { memory_ = memory; }
 
     /// One accepted step that ends at `end` [s] or before; otherwise the system is left at the last accepted
     /// state.

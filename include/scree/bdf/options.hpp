@@ -15,6 +15,7 @@ enum class Solver {
     fixed_point,  ///< the functional corrector alone; a step that it cannot solve is made smaller
 };
 
+/// How the steps of a system are made.
 struct SteppingOptions {
     Method method = Method::bdf;
     std::size_t max_order = 2;  ///< of BDF, 1 to 5; only 1 and 2 are A-stable

@@ -17,6 +17,10 @@ struct NewtonStatistics {
 
     NewtonStatistics& add(const NewtonStatistics& other);
 };
+void visit_state(auto& with, StateOf<NewtonStatistics> auto& newton) {
+    auto& [iterations, jacobians, factorizations, functional_iterations] = newton;
+    with(iterations, jacobians, factorizations, functional_iterations);
+}
 
 /// What an integrator has done.
 struct SteppingStatistics {
@@ -41,5 +45,13 @@ struct SteppingStatistics {
     /// The costs alone, of steps that were not kept.
     [[nodiscard]] SteppingStatistics without_steps() const;
 };
+void visit_state(auto& with, StateOf<SteppingStatistics> auto& statistics) {
+    auto& [accepted, rejected_error, rejected_newton, rejected_contact, smallest_step, largest_step,
+           time_stepped, orders, lost_directions, centre_lines, unstable_orders, newton, contact_evaluations,
+           contact_time, jacobian_time, solve_time] = statistics;
+    with(accepted, rejected_error, rejected_newton, rejected_contact, smallest_step, largest_step,
+         time_stepped, orders, lost_directions, centre_lines, unstable_orders, newton, contact_evaluations,
+         contact_time, jacobian_time, solve_time);
+}
 
 }  // namespace scree

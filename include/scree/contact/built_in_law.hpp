@@ -2,6 +2,7 @@
 
 #include <scree/contact/friction.hpp>
 #include <scree/contact/normal_force.hpp>
+#include <scree/contact/patch_friction.hpp>
 #include <scree/contact/rolling.hpp>
 
 namespace scree {
@@ -9,10 +10,12 @@ namespace scree {
 /// The project's law: normal force from the overlap volume, friction, torsion, rolling resistance.
 template <LawParts parts>
 struct BuiltInLaw {
+    static constexpr bool gives_rates = true;
+    static constexpr bool gives_power = true;
     LawOptions options;
 
     void operator()(const ContactInput& in, ContactForce& out) const {
-        out = ContactForce{};
+        out.reset();
         PressingForce pressing;
         if (!add_normal_force(in, options, out, pressing)) {
             return;
@@ -30,8 +33,26 @@ struct BuiltInLaw {
         }
     }
 
+    /// Whether the law wants the cells of a pair's patch.
+    [[nodiscard]] static bool wants_cells(const PairConstants& pair) {
+        return on_cells && pair.torsion && pair.patch_friction && pair.friction > 0;
+    }
+
+    /// Whether it wants the potential of contacts that may have one.
+    [[nodiscard]] bool wants_potential() const { return options.elasticity == Elasticity::potential; }
+
   private:
+    // Nothing turns about a normal of the plane in which it moves.
+    static constexpr bool on_cells = parts.torsion && (parts.friction == FrictionLaw::cundall_strack ||
+                                                       parts.friction == FrictionLaw::viscous);
+
     void add_friction_of(const ContactInput& in, const PressingForce& pressing, ContactForce& out) const {
+        if constexpr (on_cells) {
+            if (in.cells != nullptr) {
+                add_patch_friction<parts.friction>(in, pressing, options, out);
+                return;
+            }
+        }
         if (parts.torsion && in.pair.torsion && in.geometry.lever > 0) {
             add_friction<LawParts{parts.friction, parts.torsion}>(in, pressing, options, out);
         } else {

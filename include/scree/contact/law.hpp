@@ -1,8 +1,12 @@
 #pragma once
 
+#include <concepts>
+#include <type_traits>
+
 #include <scree/contact/history.hpp>
 #include <scree/contact/material.hpp>
 #include <scree/contact/motion.hpp>
+#include <scree/overlap/depth_potential.hpp>
 
 namespace scree {
 
@@ -15,10 +19,14 @@ struct ContactInput {
     const ContactHistory& history;
     const FrictionStep& step;
     const PairArms& arms;
-    const MotionRates* rates = nullptr;  ///< set when derivatives are wanted
+    const MotionRates* rates = nullptr;         ///< set when derivatives are wanted
+    const PatchCells* cells = nullptr;          ///< of the patch, for a law that asks for them
+    const DepthPotential* potential = nullptr;  ///< likewise
 };
 
 enum class ContactState { open, stick, slip };
+template <>
+inline constexpr std::uint64_t enumerators<ContactState> = 3;
 
 /// Where the power of a contact goes [W].
 struct ContactPower {
@@ -33,22 +41,30 @@ struct ContactPower {
     double cohesion = 0;            ///< against the pull of cohesion
 };
 
+void visit_state(auto& with, StateOf<ContactPower> auto& power) {
+    auto& [normal_elastic, normal_damping, normal, tangential, tangential_damping, torsion, rolling,
+           cohesion] = power;
+    with(normal_elastic, normal_damping, normal, tangential, tangential_damping, torsion, rolling, cohesion);
+}
+
 /// Which branches of a law its answer came from; its derivative jumps where they change.
 struct ContactRegime {
     ContactState state = ContactState::open;
     bool rolls = false;
+    std::bitset<PatchCells::count> slipping;
 
     bool operator==(const ContactRegime&) const = default;
 };
-
 /// What a contact law answers.
 struct ContactForce {
     Vec3 force = Vec3::Zero();   ///< [N], on A at the centroid; −force on B
     Vec3 moment = Vec3::Zero();  ///< [N m], on A about the centroid; −moment on B
     double normal_force = 0;     ///< fn [N], along the normal; below 0 where cohesion pulls
     FrictionRecord trial;        ///< what the history becomes if the step is accepted
-    ContactState state = ContactState::open;
-    bool rolls = false;  ///< the rolling resistance is at its limit
+    /// What becomes history of the patch's cells; empty or one.
+    std::vector<PatchRecord> cells;
+    ContactState state = ContactState::open;  ///< slip: all cells of a patch are at their limit
+    bool rolls = false;                       ///< the rolling resistance is at its limit
     ContactPower power;
     double normal_energy = 0;          ///< stored [J], where the law has a potential
     double tangential_energy = 0;      ///< stored [J]
@@ -59,14 +75,59 @@ struct ContactForce {
     Mat39 force_rate = Mat39::Zero();  ///< by the nine unknowns of MotionRates, when asked for
     Mat39 moment_rate = Mat39::Zero();
 
-    [[nodiscard]] ContactRegime regime() const { return {state, rolls}; }
+    [[nodiscard]] ContactRegime regime() const {
+        return {state, rolls, cells.empty() ? std::bitset<PatchCells::count>() : cells.front().slipping};
+    }
+    /// As made, but for memory that is kept for the next use.
+    void reset() {
+        cells.clear();
+        std::vector<PatchRecord> kept = std::move(cells);
+        *this = ContactForce{};
+        cells = std::move(kept);
+    }
+};
+void visit_state(auto& with, StateOf<ContactForce> auto& answer) {
+    auto& [force, moment, normal_force, trial, cells, state, rolls, power, normal_energy, tangential_energy,
+           torsional_energy, rolling_energy, cohesive_energy, lost_direction, force_rate, moment_rate] =
+        answer;
+    with(force, moment, normal_force, trial, cells, state, rolls, power, normal_energy, tangential_energy,
+         torsional_energy, rolling_energy, cohesive_energy, lost_direction);
+}
+
+/// A law that remembers nothing but friction: `law(input, force)` fills `force`.
+template <class Law>
+concept PlainLaw = requires(const Law& law, const ContactInput& input, ContactForce& force) {
+    law(input, force);
 };
 
-/// A law answers for one contact at a time; `law(input, force)` fills `force`, rates included when
-/// input.rates is set.
+/// A law with a history of its own, plain data of a type Law::History. It gets its records of the accepted
+/// steps in contact, the latest first and none at first touch, and fills what becomes the next one if the
+/// step is accepted.
 template <class Law>
-concept ContactLaw = requires(const Law& law, const ContactInput& input, ContactForce& force) {
-    law(input, force);
+concept LawWithHistory = std::is_trivially_copyable_v<typename Law::History> &&
+    std::default_initializable<typename Law::History> &&
+    requires(const Law& law, const ContactInput& input, std::span<const typename Law::History> past,
+             ContactForce& force, typename Law::History& trial) {
+    law(input, past, force, trial);
+};
+
+/// A law answers for one contact at a time, and may be asked from several threads at once. It sets the force
+/// and moment on A, normal_force, and a state other than open where there is a force; trial.force as well
+/// when it has a stored friction that it wants to find in the history.
+///
+/// A law that says `static constexpr bool gives_rates = true` also sets force_rate and moment_rate when
+/// input.rates is set; Newton's method differences all others. One that says `gives_power` sets power; for
+/// all others everything that goes in normally or tangentially counts as lost.
+template <class Law>
+concept ContactLaw = PlainLaw<Law> || LawWithHistory<Law>;
+
+template <class Law>
+concept GivesRates = requires {
+    requires Law::gives_rates;
+};
+template <class Law>
+concept GivesPower = requires {
+    requires Law::gives_power;
 };
 
 }  // namespace scree

@@ -11,6 +11,12 @@ enum class FrictionLaw {
     none,
 };
 
+/// What the elastic part of the normal force is.
+enum class Elasticity {
+    volume,     ///< (Y/Lc) V along n, Eq. (5.7); of a corner on a corner it has no potential
+    potential,  ///< the gradient of a potential: (Y/Lc) ∫ e dV of DepthPotential, of polyhedra on one another
+};
+
 /// Where the normal damping acts.
 enum class DampingPlace {
     patch,     ///< a traction on a polygonal patch, which damps rocking, too
@@ -39,6 +45,7 @@ enum class ReducedMass {
 
 /// Choices that are made while the law runs.
 struct LawOptions {
+    Elasticity elasticity = Elasticity::volume;
     DampingPlace damping = DampingPlace::patch;
     NormalDamping normal_damping = NormalDamping::length;
     TangentialStiffness tangential_stiffness = TangentialStiffness::length;

@@ -20,6 +20,9 @@ struct Material {
     std::optional<double> kinetic_friction = std::nullopt;
     double rolling_friction = 0;  ///< μ_r: the largest rolling moment over the normal force and Lc/2
     double cohesion = 0;          ///< [N], the largest pull that a contact bears
+    bool patch_friction = false;  ///< with torsion: friction on cells of the patch, each with its own memory
+
+    bool operator==(const Material&) const = default;
 };
 
 /// What a pair of materials is made of; the same fields, without the density.
@@ -33,10 +36,12 @@ struct PairMaterial {
     std::optional<double> kinetic_friction = std::nullopt;
     double rolling_friction = 0;
     double cohesion = 0;
+    bool patch_friction = false;
+    bool even_damping = false;  ///< NormalDamping::patch, whatever the law's options say
 };
 
 /// The mixing rules: harmonic mean of Y; the smaller μ at rest, in motion and of rolling, the smaller
-/// cohesion; means of the dampings and of Yt/Y; torsion if both have it.
+/// cohesion; means of the dampings and of Yt/Y; torsion and friction on cells if both have it.
 PairMaterial mix(const Material& a, const Material& b);
 
 /// What the pair constants need to know of a body.
@@ -62,6 +67,9 @@ struct PairConstants {
     double rolling_friction = 0;      ///< μ_r
     double cohesion = 0;              ///< [N]
     bool torsion = true;
+    bool patch_friction = false;
+    bool even_damping = false;              ///< the normal damping is that of NormalDamping::patch
+    int law = 0;                            ///< which of a world's laws; 0: the one for all pairs
     Vec3 inverse_inertia_a = Vec3::Zero();  ///< about A's principal axes [1/(kg m²)]
     Vec3 inverse_inertia_b = Vec3::Zero();
 };

@@ -32,6 +32,11 @@ class ManifoldGeometry final : public PairGeometry {
     /// Runs the narrowphase with the objects there for the time being, and freezes what it finds.
     void update(const Situation& now, const btDispatcherInfo& info);
 
+    /// What is carried from one update to the next: the manifold's points and what was frozen.
+    void save(StateWriter& with);
+    /// With the objects where they were at the last update, or later.
+    void restore(StateReader& with, const Situation& now, const btDispatcherInfo& info);
+
     /// Lets go of everything in Bullet, before one of the objects goes. The points stay as they are.
     void release();
     [[nodiscard]] bool concerns(const btCollisionObject& object) const {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <scree/detect/body_shape.hpp>
+#include <scree/mesh/saved_state.hpp>
 
 namespace scree {
 
@@ -27,6 +28,10 @@ struct PartPair {
     int part_a = 0;
     int part_b = 0;
 
+    friend void visit_state(auto& with, StateOf<PartPair> auto& pair) {
+        auto& [body_a, body_b, part_a, part_b] = pair;
+        with(body_a, body_b, part_a, part_b);
+    }
     bool operator==(const PartPair&) const = default;
     bool operator<(const PartPair& other) const {
         return std::tie(body_a, body_b, part_a, part_b) <

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include <scree/contact/law.hpp>
 #include <scree/dynamics/body.hpp>
@@ -38,6 +39,13 @@ struct ContactResult {
     double depth = 0;       ///< δ [m]
     double slip_speed = 0;  ///< ‖v_t‖ [m/s]
     bool centre_line = false;
+    std::vector<double> own;  ///< the trial record of a law with a history of its own
 };
+/// All but the derivatives.
+void visit_state(auto& with, StateOf<ContactResult> auto& result) {
+    auto& [touching, law, moment_a, moment_b, moment_a_rate, moment_b_rate, point, normal, volume, area,
+           depth, slip_speed, centre_line, own] = result;
+    with(touching, law, moment_a, moment_b, point, normal, volume, area, depth, slip_speed, centre_line, own);
+}
 
 }  // namespace scree

@@ -13,10 +13,15 @@ struct Accumulated {
     double torsion = 0;             ///< into torsional springs, slip and damping
     double rolling = 0;             ///< into rolling springs, their limit and damping
     double cohesion = 0;            ///< against the pull of cohesion
-    double applied = 0;             ///< by applied forces and prescribed bodies
+    double applied = 0;             ///< by applied forces, restraints and prescribed bodies
 
     Accumulated& add(double factor, const Accumulated& other);
 };
+void visit_state(auto& with, StateOf<Accumulated> auto& sums) {
+    auto& [normal_elastic, normal, tangential, tangential_damping, torsion, rolling, cohesion, applied] =
+        sums;
+    with(normal_elastic, normal, tangential, tangential_damping, torsion, rolling, cohesion, applied);
+}
 
 /// What has gone through a system over some time.
 struct Flows {
@@ -60,6 +65,14 @@ struct EnergyLedger {
                lost_cohesion;
     }
 };
+void visit_state(auto& with, StateOf<EnergyLedger> auto& ledger) {
+    auto& [kinetic, gravity, normal_elastic, tangential_elastic, torsional_elastic, rolling_elastic, cohesive,
+           lost_normal_damping, lost_tangential_damping, lost_friction, lost_torsion, lost_rolling,
+           lost_cohesion, work_applied, residual] = ledger;
+    with(kinetic, gravity, normal_elastic, tangential_elastic, torsional_elastic, rolling_elastic, cohesive,
+         lost_normal_damping, lost_tangential_damping, lost_friction, lost_torsion, lost_rolling,
+         lost_cohesion, work_applied, residual);
+}
 
 /// The ledger at the system's present states and what its contacts hold; `start` is held() at the start.
 EnergyLedger energy_ledger(const System& system, const Accumulated& sums, double start);
@@ -75,6 +88,11 @@ class EnergyAccount {
 
     [[nodiscard]] const EnergyLedger& ledger() const { return ledger_; }
     [[nodiscard]] const Vec3& momentum_residual() const { return momentum_gain_; }
+
+    friend void visit_state(auto& with, StateOf<EnergyAccount> auto& account) {
+        auto& [sums, ledger, momentum_gain, start, started] = account;
+        with(sums, ledger, momentum_gain, start, started);
+    }
 
   private:
     Accumulated sums_;

@@ -10,8 +10,13 @@
 
 namespace scree {
 
-/// dL/dω [kg m²] of a body at a trial step, whose inertia tensor turns with it.
-Mat3 turning_inertia(const Body& body, const TrialBody& trial);
+/// What stands for a restraint's held spin in the equations of a step: a moment of inertia [kg m²] of the
+/// body's size.
+double held_inertia(const Body& body);
+
+/// The part of the equations' derivative by (v, ω) that is not the contacts': d(p, L)/d(v, ω), the inertia
+/// tensor turning with the body, and what its restraint does.
+Mat6 inertia_block(const Body& body, const TrialBody& trial, double beta_h);
 
 /// The matrix of Newton's method, d(residual)/d(velocities), in 6×6 blocks (v, ω) per dynamic body.
 class Jacobian {
@@ -33,6 +38,7 @@ class Jacobian {
   private:
     void number(std::span<const Body> bodies);
     void add_contact(const Contact& contact, const ContactResult& result, double beta_h);
+    void add_force(int row, int column, Mat6 block);
     void add(int row, int column, const Mat6& block);
 
     BlockMatrix matrix_;
@@ -40,6 +46,7 @@ class Jacobian {
     std::vector<int> place_;  ///< by body, among the dynamic ones; −1: fixed
     /// By which rows are divided, so that all are velocities: mass, and mass times radius, by place.
     std::vector<std::pair<double, double>> scale_;
+    std::vector<const Restraint*> restraint_;  ///< of the same
     Eigen::VectorXd part_;
 };
 

@@ -62,8 +62,16 @@ class StepProblem {
     [[nodiscard]] std::span<const ContactResult> results() const { return results_; }
     [[nodiscard]] std::span<const TrialBody> trial() const { return trial_; }
     [[nodiscard]] const Jacobian& jacobian() const { return jacobian_; }
-    [[nodiscard]] const std::vector<Vec3>& forces() const { return force_; }    ///< [N], outside included
-    [[nodiscard]] const std::vector<Vec3>& torques() const { return torque_; }  ///< [N m]
+    /// ṗ [N], forces from outside included.
+    [[nodiscard]] const std::vector<Vec3>& forces() const { return force_; }
+    /// L̇ [N m].
+    [[nodiscard]] const std::vector<Vec3>& torques() const { return torque_; }
+    /// What the restraints add to the forces and torques; empty where no body has one.
+    struct Hold {
+        Vec3 force = Vec3::Zero();   ///< [N]
+        Vec3 torque = Vec3::Zero();  ///< [N m]
+    };
+    [[nodiscard]] std::span<const Hold> holds() const { return holds_; }
     /// Whether a contact has a force on the body.
     [[nodiscard]] bool touched(std::size_t body) const { return touched_[body]; }
 
@@ -81,6 +89,8 @@ class StepProblem {
     void place_bodies(const Eigen::VectorXd& u);
     void evaluate_contacts();
     void sum_forces();
+    void restrain();
+    void fill_held_rows(std::size_t body, const Restraint& restraint);
     void fill_residual();
 
     const System& system_;
@@ -92,6 +102,7 @@ class StepProblem {
     std::vector<ContactResult> results_;
     std::vector<ContactRegime> factorized_regimes_;
     std::vector<Vec3> force_, torque_;
+    std::vector<Hold> holds_;
     std::vector<bool> touched_;  ///< by a contact with a force
     Eigen::VectorXd residual_;
     Jacobian jacobian_;

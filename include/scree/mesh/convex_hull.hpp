@@ -6,6 +6,7 @@
 
 namespace scree {
 
+/// The convex hull of points.
 struct ConvexHull {
     ConvexPolyhedron solid;   ///< in the frame of the points
     double largest_move = 0;  ///< [m], the farthest a vertex was moved onto the plane of its merged face

@@ -4,6 +4,7 @@
 
 namespace scree {
 
+/// A triangle soup and what was found out about it.
 struct Surface {
     TriangleMesh mesh;     ///< triangles of three different vertices; of a closed surface all face outward
     bool closed = false;   ///< encloses a volume, with no open edge

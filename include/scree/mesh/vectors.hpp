@@ -5,6 +5,7 @@
 
 namespace scree {
 
+using Vec2 = Eigen::Vector2d;
 using Vec3 = Eigen::Vector3d;
 using Mat3 = Eigen::Matrix3d;
 /// Unit quaternion (w, x, y, z); turns vectors from a body's frame into the world's.

@@ -15,8 +15,8 @@ class IsolationError : public std::runtime_error {
 
 /// What that process may use.
 struct IsolationLimits {
-    unsigned seconds = 0;       ///< of processor time
-    std::uintmax_t memory = 0;  ///< [bytes], beyond what this process has
+    unsigned seconds = 0;                 ///< of processor time
+    std::uintmax_t memory = 0;            ///< [bytes], beyond what this process has
     const char* worker = "the importer";  ///< what does the work, for the message
 };
 

@@ -10,10 +10,13 @@ namespace scree {
 /// bodies.csv: one row a body and output time.
 class BodiesCsv {
   public:
-    explicit BodiesCsv(const std::filesystem::path& file);
+    /// `kept`: as in CsvFile.
+    explicit BodiesCsv(const std::filesystem::path& file, std::optional<std::uint64_t> kept = std::nullopt);
 
     /// All bodies at one time [s], in scene order.
     void write(double time, std::span<const BodyRecord> bodies);
+
+    [[nodiscard]] AppendedFile& file() { return csv_.file(); }
 
   private:
     CsvFile csv_;

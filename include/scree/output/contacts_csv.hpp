@@ -11,11 +11,14 @@ namespace scree {
 /// is the force's part in the contact plane, slip the speed there [m/s].
 class ContactsCsv {
   public:
-    explicit ContactsCsv(const std::filesystem::path& file);
+    /// `kept`: as in CsvFile.
+    explicit ContactsCsv(const std::filesystem::path& file, std::optional<std::uint64_t> kept = std::nullopt);
 
     /// The contacts at a time [s] and what each of them did; bodies are named by their numbers.
     void write(double time, std::span<const Contact> contacts, std::span<const ContactResult> results,
                std::span<const std::string> names);
+
+    [[nodiscard]] AppendedFile& file() { return csv_.file(); }
 
   private:
     CsvFile csv_;

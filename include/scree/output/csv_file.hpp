@@ -1,9 +1,11 @@
 #pragma once
 
 #include <filesystem>
-#include <fstream>
+#include <optional>
 #include <string>
 #include <string_view>
+
+#include <scree/output/appended_file.hpp>
 
 namespace scree {
 
@@ -13,8 +15,10 @@ void append_number(std::string& text, double value);
 /// A comma-separated table on disk. Numbers read back exactly; words are quoted where they must be.
 class CsvFile {
   public:
-    /// Throws OutputError, as all that writes does.
-    CsvFile(const std::filesystem::path& file, std::string_view header);
+    /// `kept`: goes on with one that has the header, after that many bytes. Throws OutputError, as all that
+    /// writes does.
+    CsvFile(const std::filesystem::path& file, std::string_view header,
+            std::optional<std::uint64_t> kept = std::nullopt);
 
     CsvFile& add(double value);
     CsvFile& add(std::string_view word);
@@ -22,11 +26,12 @@ class CsvFile {
     /// Hands all complete rows to the system.
     void flush();
 
+    [[nodiscard]] AppendedFile& file() { return file_; }
+
   private:
     void separate();
 
-    std::filesystem::path file_;
-    std::ofstream stream_;
+    AppendedFile file_;
     std::string row_, rows_;
 };
 

@@ -30,10 +30,13 @@ inline constexpr std::array<std::pair<const char*, double EnergyLedger::*>, 15> 
 /// energy.csv: one row an output time.
 class EnergyCsv {
   public:
-    explicit EnergyCsv(const std::filesystem::path& file);
+    /// `kept`: as in CsvFile.
+    explicit EnergyCsv(const std::filesystem::path& file, std::optional<std::uint64_t> kept = std::nullopt);
 
     /// The ledger as it stands at a time [s].
     void write(double time, const EnergyLedger& ledger);
+
+    [[nodiscard]] AppendedFile& file() { return csv_.file(); }
 
   private:
     CsvFile csv_;

@@ -29,12 +29,14 @@ struct RunSummary {
         double output = 0;
     } time;
 
+    /// Of the group with the most.
     struct Steps {
         std::size_t accepted = 0, rejected_error = 0, rejected_newton = 0, rejected_contact = 0;
     } steps;
 
     std::optional<double> smallest_step, mean_step, largest_step;  ///< [s], of those accepted
     std::vector<std::size_t> orders;                               ///< accepted steps of order 1, 2, …
+    /// What solving the equations took.
     struct Newton {
         std::size_t iterations = 0, jacobians = 0, factorizations = 0;
     } newton;
@@ -53,5 +55,9 @@ struct RunSummary {
 
 /// The text of summary.json.
 std::string summary_json(const RunSummary& summary);
+
+/// Whether a summary.json says that its run is done and has reached the scene's end. One that cannot be read
+/// does not.
+bool is_finished(const std::filesystem::path& file);
 
 }  // namespace scree

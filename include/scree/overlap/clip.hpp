@@ -12,6 +12,7 @@ namespace scree {
 /// buffers have grown.
 class ClippedSolid {
   public:
+    /// A face as a run of half-edges.
     struct Face {
         int begin = 0;  ///< of its half-edges
         int end = 0;

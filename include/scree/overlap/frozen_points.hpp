@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 
+#include <scree/mesh/saved_state.hpp>
 #include <scree/overlap/pair_geometry.hpp>
 
 namespace scree {
@@ -18,6 +19,10 @@ struct FrozenPoint {
     double radius_b = 0;          ///< [m], how far B's surface is from on_b towards A
     double slack = 0;             ///< [m], depth that bears no load
 };
+void visit_state(auto& with, StateOf<FrozenPoint> auto& point) {
+    auto& [on_a, on_b, normal, radius_a, radius_b, slack] = point;
+    with(on_a, on_b, normal, radius_a, radius_b, slack);
+}
 
 /// Contact in a few points that stay where they are in the bodies while these move. Each is a point of one
 /// body against a plane of the other, sunk in by δ_i, the distance of the two along the plane's normal less
@@ -41,6 +46,15 @@ class FrozenPoints final : public PairGeometry {
 
     bool geometry(const Pose& pose_a, const Pose& pose_b, Detail detail, bool was_centre_line,
                   OverlapWorkspace& workspace, ContactGeometry& geometry) const override;
+
+    friend void visit_state(auto& with, StateOf<FrozenPoints> auto& frozen) {
+        auto& [points, count, area, exchanged] = frozen;
+        with.up_to(most, count);
+        with(area, exchanged);
+        for (auto& point : std::span(points).first(count)) {
+            with(point);
+        }
+    }
 
   private:
     [[nodiscard]] bool on_planes_of_b(const Pose& pose_a, const Pose& pose_b, bool was_centre_line,

@@ -4,6 +4,7 @@
 
 #include <scree/overlap/clip.hpp>
 #include <scree/overlap/contact_geometry.hpp>
+#include <scree/overlap/patch_outline.hpp>
 #include <scree/overlap/shape.hpp>
 
 namespace scree {
@@ -23,11 +24,20 @@ struct Chord {
     [[nodiscard]] double depth() const { return high - low; }
 };
 
+/// A face of an overlap.
+struct OverlapSide {
+    Plane plane;
+    int tag = 0;  ///< of the clipped solid's face
+};
+
 /// Buffers of the overlap computation, one a thread.
 struct OverlapWorkspace {
     ClippedSolid clipped;
     std::vector<Plane> planes;
     std::vector<Chord> chords;
+    PatchOutline outline;
+    std::vector<OverlapSide> sides;
+    ClippedSolid cell;   ///< a part of the clipped solid
     Pose frame;          ///< of what was clipped last
     bool solid = false;  ///< the last overlap left a solid there, all of it but a capsule's round ends
 };

@@ -16,9 +16,7 @@
 
 namespace scree {
 
-struct MaterialDescription : Material {
-    bool patch_torsion = false;  ///< friction on points of the patch instead of the limit surface
-};
+using MaterialDescription = Material;
 
 /// Replaces those of the mixed constants of two materials that it names.
 struct PairDescription {
@@ -26,7 +24,7 @@ struct PairDescription {
     std::optional<double> youngs_modulus;  ///< [Pa]
     std::optional<double> friction, normal_damping, tangential_damping, tangential_ratio;
     std::optional<bool> torsion;
-    bool patch_torsion = false;
+    bool patch_friction = false;  ///< where torsion is named
     std::optional<double> cohesion, rolling_friction, kinetic_friction;
 };
 
@@ -34,8 +32,10 @@ enum class Parts {
     hull,       ///< the mesh's convex hull
     decompose,  ///< convex pieces that together come near the mesh
     files,      ///< one convex part a file
+    surface,    ///< the surface itself, as ground of any shape
 };
 
+/// A shape from a mesh file.
 struct MeshShape {
     std::filesystem::path file;  ///< relative to the scene's file
     Vec3 scale = Vec3::Ones();
@@ -43,6 +43,7 @@ struct MeshShape {
     std::vector<std::filesystem::path> part_files;
 };
 
+/// A box about its centre.
 struct BoxShape {
     Vec3 edges = Vec3::Zero();  ///< [m], full lengths
 };
@@ -81,6 +82,7 @@ struct FillDescription {
 struct SceneDescription {
     std::string name;            ///< of the scene
     std::filesystem::path file;  ///< where it was read; meshes are found beside it
+    std::string text;            ///< JSON that says the same, with what was set from outside; empty: none
     Vec3 gravity{0, 0, -9.81};   ///< [m/s²]
     std::map<std::string, MaterialDescription> materials;
     std::vector<PairDescription> pairs;

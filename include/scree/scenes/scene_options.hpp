@@ -25,7 +25,7 @@ struct SteppingDescription {
     double rtol = 1e-3;          ///< dimensionless, as is atol
     double atol = 1e-6;
     Solver solver = Solver::automatic;
-    bool sleep = false;   ///< groups at rest are stepped no more until something reaches them
+    bool sleep = false;  ///< groups at rest are stepped no more until something reaches them
     // Of Bullet's own solver, as it comes when nothing is said:
     int iterations = 10;
     bool separating_axis = false;  ///< contacts of polyhedra by the separating axis test and clipped faces

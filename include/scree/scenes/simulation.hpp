@@ -21,6 +21,8 @@ class Engine;
 struct SimulationBody {
     std::string name;
     std::string material;
+    std::string shape;  ///< its name
+    double size = 1;    ///< factor on that
     Solid solid;
     FrameMotion start;  ///< of the file's frame, at time 0, as the scene has it
     MotionDescription motion;
@@ -68,6 +70,18 @@ class Simulation {
     [[nodiscard]] double time() const;
     /// The number of the last output time reached.
     [[nodiscard]] std::int64_t tick() const { return tick_; }
+    /// How many threads share out the work; 1 at first, and always of Bullet's own solver. The results are
+    /// the same bytes for any number.
+    void set_threads(std::size_t threads);
+    [[nodiscard]] std::size_t threads() const;
+
+    /// All that the rest of the run depends on.
+    [[nodiscard]] SavedState save() const;
+    /// Goes on where another simulation of the same scene was saved; this one must have made no advance. What
+    /// it does from then on is what the other one did, to the last bit. Throws StateError, and is of no use
+    /// then, for a state of another scene.
+    void restore(const SavedState& state);
+
     /// On to the next output time; at the last one nothing is left to do. Returns false when the world
     /// cannot; its step report says why.
     bool advance();

@@ -27,7 +27,13 @@ enum class GeometrySource {
 ///
 /// One tick is one fixed step of stepSimulation; within it the method takes as many steps as it needs,
 /// keeping its history over the tick's end. Forces set from outside are constant within a tick; a pose or
-/// velocity set from outside starts the method afresh. Bodies are never put to sleep.
+/// velocity set from outside starts the method afresh.
+///
+/// With SteppingOptions::sleep, bodies that have come to rest sleep: their activation state is
+/// ISLAND_SLEEPING until something reaches them or somebody changes anything about them. Without it none
+/// falls asleep of itself, but one that is in WANTS_DEACTIVATION. Bodies that are put in ISLAND_SLEEPING from
+/// outside stop where they are if nobody near them is awake. DISABLE_DEACTIVATION keeps a body and its group
+/// awake, and DISABLE_SIMULATION makes it a fixed one.
 class DynamicsWorld : public btDiscreteDynamicsWorld {
   public:
     /// As btDiscreteDynamicsWorld; the solver is not used and may be null.
@@ -51,6 +57,9 @@ class DynamicsWorld : public btDiscreteDynamicsWorld {
     /// What was set, or derived. A body without mass or material has an infinite Young's modulus, which means
     /// that of whatever it touches.
     [[nodiscard]] Material material(const btRigidBody& body) const;
+    /// What holds between two bodies of this world: by the mixing set, by the mixing rules, or, where neither
+    /// was given a material, by what Bullet combines.
+    [[nodiscard]] PairMaterial pair_material(const btRigidBody& a, const btRigidBody& b) const;
     /// Overrides the mixing rules: called with the two materials, in the order of the bodies.
     using Mixing =
         std::function<PairMaterial(const btRigidBody&, const Material&, const btRigidBody&, const Material&)>;
@@ -71,6 +80,15 @@ class DynamicsWorld : public btDiscreteDynamicsWorld {
     void set_contact_law(FrictionLaw friction, const LawOptions& options = {});
     /// Null: the built-in law, with the parts that the materials ask for.
     void set_forces(std::unique_ptr<ContactForces> forces);
+
+    /// The law of the contacts between bodies of two materials alone, whether those were set or derived. They
+    /// are told by their values; what is set last counts.
+    template <ContactLaw Law>
+    void set_contact_law(const Material& a, const Material& b, Law law) {
+        set_forces(a, b, std::make_unique<ForcesOf<Law>>(std::move(law)));
+    }
+    /// Null: the law of all other pairs.
+    void set_forces(const Material& a, const Material& b, std::unique_ptr<ContactForces> forces);
 
     /// Where the contacts' geometry comes from: the overlap, if nothing is said. Bullet's manifolds are found
     /// once a tick and frozen in the bodies until the next; meshes of triangles and height fields, which have
@@ -96,12 +114,23 @@ class DynamicsWorld : public btDiscreteDynamicsWorld {
     /// which they were added.
     [[nodiscard]] int body_number(const btCollisionObject& body) const;
 
+    /// All that the motion from here on depends on, as of the end of the last tick; what was changed from
+    /// outside since then is not in it.
+    void save(StateWriter& with) const;
+    /// Goes on where another world was saved that has the same bodies, made in the same way and added in the
+    /// same order, the same materials and the same choices; this one must have no tick behind it. What it
+    /// does from then on is what the other one did, to the last bit. Bullet's manifolds, which are for
+    /// onlookers, come with the next tick. Throws StateError, and is of no use then, where the bodies are
+    /// others.
+    void restore(StateReader& with);
+
     /// As Bullet's, but after a failure it returns the number of ticks that were done.
     int stepSimulation(btScalar time, int max_ticks = 1, btScalar tick = btScalar(1) / 60) override;
     /// Joints are not done: throws std::invalid_argument.
     void addConstraint(btTypedConstraint* constraint, bool disable_collisions = false) override;
-    /// Refuses shapes that have no overlap, and degrees of freedom locked one by one: throws
-    /// std::invalid_argument, and the body is not added.
+    /// There is no solver of constraints: throws std::logic_error.
+    void solveConstraints(btContactSolverInfo& info) override;
+    /// Refuses shapes that have no overlap: throws std::invalid_argument, and the body is not added.
     void addRigidBody(btRigidBody* body) override;
     void addRigidBody(btRigidBody* body, int group, int mask) override;
     void removeRigidBody(btRigidBody* body) override;
@@ -112,6 +141,8 @@ class DynamicsWorld : public btDiscreteDynamicsWorld {
                                        btBroadphaseProxy::StaticFilter) override;
     void removeCollisionObject(btCollisionObject* object) override;
     void updateAabbs() override;
+    /// For sleeping bodies too, so that they have it when they wake up in the middle of stepSimulation.
+    void applyGravity() override;
 
   protected:
     void internalSingleStepSimulation(btScalar tick) override;

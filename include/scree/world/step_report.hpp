@@ -12,6 +12,10 @@ struct StageTimes {
     double detection = 0;  ///< bounds, broadphase, pair list
     double stepping = 0;   ///< everything else in a tick between reading and writing the bodies
 };
+void visit_state(auto& with, StateOf<StageTimes> auto& times) {
+    auto& [detection, stepping] = times;
+    with(detection, stepping);
+}
 
 /// What a world's ticks have done since it was made.
 struct StepReport {
@@ -31,5 +35,12 @@ struct StepReport {
     Vec3 momentum_residual = Vec3::Zero();  ///< momentum less the impulse received [kg m/s]
     StageTimes times;
 };
+/// Of a world that has not failed.
+void visit_state(auto& with, StateOf<StepReport> auto& report) {
+    auto& [failed, message, time, ticks, steps, all_steps, pair_searches, manifold_pairs, contacts,
+           most_contacts, largest_overlap, energy, momentum_residual, times] = report;
+    with(time, ticks, steps, all_steps, pair_searches, manifold_pairs, contacts, most_contacts,
+         largest_overlap, energy, momentum_residual, times);
+}
 
 }  // namespace scree
