@@ -130,7 +130,7 @@ Row accuracy_row(const Problem& problem, const MethodChoice& method, const Refer
 }
 
 std::vector<Case> accuracy_cases(const ReportRequest& request) {
-    const double seconds = request.quick ? 0.7 : 10;
+    const double seconds = request.quick ? 0.7 : 6;
     const Budget patient{request.quick ? 20.0 : 120.0};
     const auto table = std::make_shared<Table>(accuracy_table(request.out));
     const auto references = std::make_shared<Table>(reference_table(request.out));

@@ -134,14 +134,11 @@ void add_accuracy(const std::filesystem::path& folder, const std::vector<Problem
     const Table references = reference_table(folder);
     page.heading(2, "Accuracy");
     page.text(
-        "Every problem by every method: its error over its run time, the least processor time of several "
-        "runs "
-        "after one that warms up, without loading. The error is against rigid bodies under Coulomb's law "
-        "where "
-        "these have an answer; numerical_error in accuracy.csv is against the force model itself, and "
-        "model_error is what the model differs from rigid bodies. A row of Bullet's is beaten when scree "
-        "takes "
-        "no longer to no larger an error.");
+        "Every problem by every method: its error over its run time, the least of several runs after one "
+        "that warms up, without loading. The error is against rigid bodies under Coulomb's law where these "
+        "have an answer; numerical_error in accuracy.csv is against the force model itself, and model_error "
+        "is what the model differs from rigid bodies. A row of Bullet's is beaten when scree takes no longer "
+        "to no larger an error.");
     page.table(standings(table, problems));
     for (const Problem& problem : problems) {
         const std::vector<Work> work = finished_work(table, problem.name);

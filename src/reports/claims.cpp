@@ -11,6 +11,7 @@
 #include <scree/scenes/read_scene.hpp>
 
 #include "observation.hpp"
+#include "run_clock.hpp"
 #include "scene_parts.hpp"
 
 namespace scree {
@@ -106,13 +107,15 @@ double overlap_time(const Shape& a, const Pose& pose_a, const Shape& b, Detail d
     constexpr int rounds = 3000;
     double least = std::numeric_limits<double>::infinity();
     for (int repetition = 0; repetition < 31; ++repetition) {
-        const double start = processor_time();
+        RunClock clock;
+        clock.start();
         for (int i = 0; i < rounds; ++i) {
             // Never twice the same, so that branches are not learnt by heart.
             const Pose pose{pose_a.position + Vec3(1e-4 * (i % 97), 1e-4 * (i % 89), 0), pose_a.orientation};
             overlap(a, pose, b, {}, detail, false, workspace, geometry);
         }
-        least = std::min(least, 1e6 * (processor_time() - start) / rounds);
+        clock.stop();
+        least = std::min(least, 1e6 * clock.seconds() / rounds);
     }
     return least;
 }
@@ -125,18 +128,20 @@ Row overlap_row(const std::string& claim, const Shape& a, const Pose& pose, cons
 /// The pile that comes with scree, until it is at rest.
 Row pile_row(const std::string& claim) {
     Simulation simulation(read_scene(find_scene("pile")));
-    const double start = processor_time();
+    RunClock clock;
+    clock.start();
     while (simulation.tick() < simulation.times().last() && simulation.advance()) {
     }
-    const double seconds = processor_time() - start;
+    clock.stop();
     double speed = 0;
     for (std::size_t b = 0; b < simulation.bodies().size(); ++b) {
         speed = std::max(speed, simulation.body_motion(b).velocity.norm());
     }
     const StepReport& report = simulation.report();
-    return row_of(claim, speed, "m/s",
-                  together({"fastest stone at ", cell(simulation.time()), " s; ", cell(std::round(seconds)),
-                            " s for ", std::to_string(report.steps.accepted), " steps"}));
+    return row_of(
+        claim, speed, "m/s",
+        together({"fastest stone at ", cell(simulation.time()), " s; ", cell(std::round(clock.seconds())),
+                  " s for ", std::to_string(report.steps.accepted), " steps"}));
 }
 
 /// What is claimed, and how it is measured.

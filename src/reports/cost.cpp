@@ -12,6 +12,8 @@
 #include <scree/output/contacts_csv.hpp>
 #include <scree/output/energy_csv.hpp>
 
+#include "run_clock.hpp"
+
 namespace scree {
 
 namespace {
@@ -88,24 +90,24 @@ void run_once(const SceneDescription& scene, const Running& running, const Budge
     if (running.write) {
         tables.emplace(running.place);
     }
-    double seconds = 0;
-    const auto now = [&] { return running.threads > 1 ? seconds_since(loading) : processor_time(); };
+    RunClock clock;
+    const auto seconds = [&] { return running.threads > 1 ? clock.by_clock() : clock.seconds(); };
     while (simulation.tick() < simulation.times().last() && expense.message.empty()) {
-        const double start = now();
+        clock.start();
         if (!simulation.advance()) {
             expense.message = simulation.report().message;
         }
         if (tables) {
             tables->write(simulation);
         }
-        seconds += now() - start;
-        if (seconds > budget.seconds && simulation.tick() < simulation.times().last()) {
+        clock.stop();
+        if (seconds() > budget.seconds && simulation.tick() < simulation.times().last()) {
             expense.message = "stopped after " + cell(budget.seconds) + " s of computing";
         }
     }
     expense.finished = expense.message.empty();
-    if (first || seconds < expense.seconds) {
-        expense.seconds = seconds;
+    if (first || seconds() < expense.seconds) {
+        expense.seconds = seconds();
         expense.report = simulation.report();
     }
     expense.bodies = simulation.bodies().size();

@@ -13,10 +13,9 @@ namespace scree {
 struct Expense {
     bool finished = false;
     std::string message;
-    double seconds =
-        0;  ///< of the steps, the least of several runs: processor time, or the clock's for threads
-    double loading = 0;     ///< [s], of making the simulation
-    double bytes = 0;       ///< on the heap at the end, for the simulation alone
+    double seconds = 0;  ///< of the steps, the least of several runs: RunClock's, or the clock's for threads
+    double loading = 0;  ///< [s], of making the simulation
+    double bytes = 0;    ///< on the heap at the end, for the simulation alone
     std::size_t files = 0;  ///< [bytes] written
     std::size_t bodies = 0;
     StepReport report;

@@ -1,11 +1,11 @@
 #include "observation.hpp"
 
-#include <time.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include <scree/mesh_io/isolated.hpp>
+
+#include "run_clock.hpp"
 
 namespace scree {
 
@@ -16,10 +16,11 @@ bool all_finite(const Values& values) {
 }
 
 /// One output time further, by the clock. Returns whether to go on.
-bool advance(Simulation& simulation, const Budget& budget, Observation& seen) {
-    const double start = processor_time();
+bool advance(Simulation& simulation, const Budget& budget, RunClock& clock, Observation& seen) {
+    clock.start();
     const bool good = simulation.advance();
-    seen.seconds += processor_time() - start;
+    clock.stop();
+    seen.seconds = clock.seconds();
     seen.reached = simulation.time();
     if (!good) {
         seen.message = simulation.report().message;
@@ -46,8 +47,9 @@ bool look(const Simulation& simulation, const Problem& problem, Observation& see
 }
 
 void run(Simulation& simulation, const Problem& problem, const Budget& budget, Observation& seen) {
+    RunClock clock;
     while (simulation.tick() < simulation.times().last()) {
-        if (!advance(simulation, budget, seen) || !look(simulation, problem, seen)) {
+        if (!advance(simulation, budget, clock, seen) || !look(simulation, problem, seen)) {
             break;
         }
     }
@@ -56,12 +58,6 @@ void run(Simulation& simulation, const Problem& problem, const Budget& budget, O
 }
 
 }  // namespace
-
-double processor_time() {
-    timespec now{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 Observation observe_run(const Problem& problem, const MethodChoice& method, const Budget& budget) {
     Observation seen;

@@ -16,16 +16,12 @@ struct Budget {
     [[nodiscard]] unsigned limit() const { return static_cast<unsigned>(3 * seconds + 5); }
 };
 
-/// Processor time [s] that this process has taken: on a machine that others use, too, it says more than the
-/// clock.
-double processor_time();
-
 /// A scene run once, and what was seen of it.
 struct Observation {
     bool finished = false;
     std::string message;          ///< why not
     double reached = 0;           ///< [s]
-    double seconds = 0;           ///< processor time of the steps, without loading and looking
+    double seconds = 0;           ///< RunClock's, of the steps, without loading and looking
     std::vector<double> times;    ///< [s], of the samples
     std::vector<Values> samples;  ///< at every output time that was reached, or at the end
     StepReport report;

@@ -202,7 +202,7 @@ std::vector<MethodChoice> stability_methods(double end_time, bool quick) {
 }
 
 std::vector<Case> stability_cases(const ReportRequest& request) {
-    const Budget budget{request.quick ? 0.5 : 8.0};
+    const Budget budget{request.quick ? 0.5 : 4.0};
     const auto table = std::make_shared<Table>(stability_table(request.out));
     std::vector<Case> cases;
     for (const Extreme& extreme : extremes(request.out, request.quick)) {
