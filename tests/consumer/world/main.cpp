@@ -13,9 +13,9 @@ int main() {
     world.setGravity({4.9, 0, -8.5});
 
     btStaticPlaneShape plane({0, 0, 1}, 0);
-    btRigidBody ground({0, nullptr, &plane});
+    btRigidBody ground(0, nullptr, &plane);
     btBoxShape box({0.05, 0.05, 0.05});
-    btRigidBody block({2.6, nullptr, &box, {0.0043, 0.0043, 0.0043}});
+    btRigidBody block(2.6, nullptr, &box, {0.0043, 0.0043, 0.0043});
     block.setWorldTransform(btTransform(btQuaternion::getIdentity(), {0, 0, 0.05}));
     for (btRigidBody* body : {&ground, &block}) {
         body->setFriction(0.9);
