@@ -155,6 +155,7 @@ bool Group::same_contacts(const System& whole, std::span<const std::size_t> cont
 
 void Group::begin_with(MergedMemory merged) {
     start_ = std::move(merged.memory);
+    restart_ = start_.past.count() == 0;
     if (merged.leader != nullptr) {
         leaders_ = merged.leader->bodies();
     }

@@ -37,12 +37,10 @@ double gain(double error, double with_bias, std::size_t order) {
 double Stepper::choose_step(double end) const {
     const double left = end - memory_.time;
     double step = memory_.next_step;
-    if (options_.fixed_step > 0 && failures_ == 0) {
-        step = options_.fixed_step;
-    } else if (options_.fixed_step == 0) {
+    if (options_.fixed_step == 0) {
         step = std::min({step, left, path_share * path_time_scale(system_)});
-        step = touch_limit(system_, step);
     }
+    step = touch_limit(system_, step);
     if (!(step < left)) {
         return left;
     }
@@ -52,10 +50,11 @@ double Stepper::choose_step(double end) const {
 
 // Order and step of the next step, after one of `error` at the present order.
 void Stepper::plan_next(double time, double error) {
-    if (options_.fixed_step > 0) {
+    const double step = time - memory_.time;
+    if (options_.fixed_step > 0) {  // back to it, where a failure has cut it
+        memory_.next_step = std::min(options_.fixed_step, std::max(memory_.next_step, step) * most_growth[1]);
         return;
     }
-    const double step = time - memory_.time;
     const std::size_t present = memory_.order;
     ++memory_.held;
     memory_.barred -= memory_.barred > 0 ? 1 : 0;

@@ -29,7 +29,7 @@ void Stepper::start_afresh(double time, double moment) {
     }
     evaluate_present(u_, moment);
     memory_.past.restart(time, system_.states);
-    const double first = first_step();
+    const double first = options_.fixed_step > 0 ? options_.fixed_step : first_step();
     memory_.next_step = planned > 0 ? std::min(planned, first) : first;
     corrector_.forget();
 }

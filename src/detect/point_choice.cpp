@@ -17,9 +17,20 @@ constexpr double known_wider = 1.5;     // how much more a known point counts
 constexpr double as_deep = 0.1;         // of the spacing, within which points count as the deepest
 constexpr double slack_kept = 0.9;      // from one update to the next
 
-bool is_round(const Shape& shape) {
-    return std::holds_alternative<Sphere>(shape) || std::holds_alternative<Capsule>(shape) ||
-           std::holds_alternative<Frustum>(shape);
+/// How well a shape keeps a plane under points that move over it: round ones roll away from theirs, a
+/// polyhedron's end at its edges, ground goes on.
+int flatness(const Shape& shape) {
+    if (std::holds_alternative<HalfSpace>(shape) || std::holds_alternative<OpenSurface>(shape)) {
+        return 2;
+    }
+    return std::holds_alternative<ConvexPolyhedron>(shape) ? 1 : 0;
+}
+
+// A small body's corners stay its own while it slides over a large one's face, and not the other way round.
+FrozenPoints::Planes planes_between(const Shape& a, const Shape& b) {
+    const bool alike = flatness(a) == flatness(b);
+    const bool a_has_them = alike ? bounding_radius(a) > bounding_radius(b) : flatness(a) > flatness(b);
+    return a_has_them ? FrozenPoints::Planes::of_a : FrozenPoints::Planes::of_b;
 }
 
 }  // namespace
@@ -30,10 +41,11 @@ PointChoice::PointChoice(const ManifoldGeometry::Side& a, const ManifoldGeometry
       shape_b_(*b.part.shape),
       pose_a_(now.body_a * a.part.local),
       pose_b_(now.body_b * b.part.local),
-      planes_(is_round(shape_b_) && !is_round(shape_a_) ? FrozenPoints::Planes::of_a
-                                                        : FrozenPoints::Planes::of_b),
-      skin_(planes_ == FrozenPoints::Planes::of_b ? a.part.skin : 0),
+      planes_(planes_between(shape_a_, shape_b_)),
+      skin_a_(planes_ == FrozenPoints::Planes::of_b ? a.part.skin : 0),
+      skin_b_(planes_ == FrozenPoints::Planes::of_a ? b.part.skin : 0),
       spacing_(least_spacing * std::sqrt(now.area)),
+      growth_(now.growth),
       before_(before) {}
 
 void PointChoice::offer(const std::vector<SurfacePoint>& points) {
@@ -47,10 +59,13 @@ PointChoice::Offer PointChoice::made_of(const SurfacePoint& point) const {
     const Vec3 normal_a = pose_a_.orientation.conjugate() * point.normal;
     const Vec3 normal_b = pose_b_.orientation.conjugate() * point.normal;
     RoundSpot a = round_spot(shape_a_, pose_a_.inverse() * point.on_a, -normal_a);
+    RoundSpot b = round_spot(shape_b_, pose_b_.inverse() * point.on_b, normal_b);
     if (a.radius == 0) {  // a corner rolls on its margin
-        a = {a.centre + skin_ * normal_a, skin_};
+        a = {a.centre + skin_a_ * normal_a, skin_a_};
     }
-    const RoundSpot b = round_spot(shape_b_, pose_b_.inverse() * point.on_b, normal_b);
+    if (b.radius == 0) {
+        b = {b.centre - skin_b_ * normal_b, skin_b_};
+    }
     return {{a.centre, b.centre, of_a ? Vec3(-normal_a) : normal_b, a.radius, b.radius, 0},
             of_a ? pose_b_ * b.centre : pose_a_ * a.centre,
             point.normal,
@@ -82,8 +97,9 @@ std::vector<FrozenPoint> PointChoice::choose() {
 
 // A point that is found deep where nothing was expected has not been pressed in, and must not spring back as
 // if it had: what was no load before becomes one little by little.
-double PointChoice::slack(const Offer& offer) {
-    return slack_kept * std::max(0.0, offer.depth - offer.load.value_or(0));
+double PointChoice::slack(const Offer& offer) const {
+    const double unloaded = std::max(0.0, offer.depth - offer.load.value_or(0));
+    return std::max(slack_kept * unloaded, unloaded - growth_);
 }
 
 double PointChoice::merit(const Offer& offer, const Vec3& middle) const {

@@ -34,7 +34,7 @@ class PointChoice {
     };
 
     [[nodiscard]] Offer made_of(const SurfacePoint& point) const;
-    static double slack(const Offer& offer);
+    [[nodiscard]] double slack(const Offer& offer) const;
     [[nodiscard]] double merit(const Offer& offer, const Vec3& middle) const;
     static double across(const Offer& offer, const Vec3& from);
     [[nodiscard]] double width_beside_taken(const Offer& offer) const;
@@ -45,8 +45,9 @@ class PointChoice {
     const Shape& shape_b_;
     Pose pose_a_, pose_b_;
     FrozenPoints::Planes planes_;
-    double skin_;     ///< of the body whose points touch planes of the other [m]
-    double spacing_;  ///< [m]
+    double skin_a_, skin_b_;  ///< of the body whose points touch planes of the other [m], else none
+    double spacing_;          ///< [m]
+    double growth_;           ///< of a load [m]
     const FrozenPoints& before_;
     std::vector<Offer> offers_, taken_;
 };

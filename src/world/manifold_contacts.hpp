@@ -31,6 +31,10 @@ class ManifoldContacts {
     void freeze(const btDispatcherInfo& info, const System& system, std::span<const SearchBody> bodies,
                 double time);
 
+    /// How long [s], at most `span`, points may stay frozen: bodies that turn or slide farther come to touch
+    /// at others.
+    [[nodiscard]] double most_span(const System& system, double span) const;
+
     /// What they carry from one freezing to the next, in the order of the system's contacts.
     void save(const System& system, StateWriter& with) const;
     void restore(StateReader& with, const btDispatcherInfo& info, const System& system);

@@ -124,7 +124,8 @@ double WorldImplementation::to_meeting(btCollisionWorld& world, double now, doub
 
 double WorldImplementation::choose_meeting(btCollisionWorld& world, double now, double end) {
     cover_.set_margins(manifold_contacts_.all() || bodies_.any_open());
-    const double span = plan_.choose(end - now, options_.fixed_step, system_, [&](double duration) {
+    const double left = manifold_contacts_.most_span(system_, end - now);
+    const double span = plan_.choose(left, options_.fixed_step, system_, [&](double duration) {
         cover_.lay(system_, bodies_.all(), now, duration);
         find_pairs(world);
     });

@@ -92,6 +92,24 @@ TEST_CASE("Explicit methods come to the same sliding block at steps that they ca
     }
 }
 
+TEST_CASE("Nothing passes a wall in a step that is fixed", "[bdf]") {
+    for (const double speed : {100.0, 1e4}) {
+        SteppingCase scene;
+        scene.add_ground(make_box(Vec3(1, 1, 0.01)));
+        scene.add_box(Vec3::Constant(0.1), 2600, Vec3(0, 0, 1));
+        PairMaterial pair = material(0.5);
+        pair.youngs_modulus = 1e13;
+        scene.touch(0, 1, pair);
+        scene.system.states[1].momentum = Vec3(0, 0, -2.6 * speed);
+        SteppingOptions options;
+        options.fixed_step = 0.1 / speed;
+        scene.run(3 / speed, options, 3 / speed);
+        CAPTURE(speed);
+        CHECK(scene.system.states[1].position.z() > 0);
+        CHECK(scene.system.states[1].momentum.z() > 0);
+    }
+}
+
 TEST_CASE("A step that cannot be solved is never accepted", "[bdf]") {
     // The force is not a number anywhere: no step can converge, and the state stays as it was.
     SteppingCase scene = cube(9.81, 0, 0.5);

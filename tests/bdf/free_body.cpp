@@ -58,6 +58,20 @@ TEST_CASE("The orientation of a free asymmetric body converges with the order of
     }
 }
 
+TEST_CASE("Explicit methods turn a free asymmetric body with second order", "[bdf]") {
+    const Quat exact = orientation_after(2, fixed(5, 5e-4));
+    for (const Method method : {Method::symplectic_euler, Method::velocity_verlet}) {
+        std::vector<double> errors;
+        for (double step = 0.01; step > 0.001; step /= 2) {
+            SteppingOptions options = fixed(1, step);
+            options.method = method;
+            errors.push_back(orientation_after(2, options).angularDistance(exact));
+        }
+        CAPTURE(errors);
+        CHECK(observed_order(errors) == Approx(2).margin(0.1));
+    }
+}
+
 TEST_CASE("The error of a free top follows the tolerance", "[bdf]") {
     SteppingOptions options;
     options.tolerances.absolute = 1e-12;

@@ -62,9 +62,11 @@ TEST_CASE("What this build cannot do is refused, and not when it is switched off
 TEST_CASE("Hostile text is refused without harm", "[scenes]") {
     const std::string deep(1'000'000, '[');
     check_refused(refusal(deep), "nested 17 deep");
-    const std::string long_key = "{\"" + std::string(1'000'000, 'k') + "\": 1}";
+    std::string long_key = "{\"\": 1}";
+    long_key.insert(2, 1'000'000, 'k');
     check_refused(refusal(long_key), "found an unknown key");
-    const std::string long_string = "{\"gravity\": \"" + std::string(1'000'000, 's') + "\"}";
+    std::string long_string = "{\"gravity\": \"\"}";
+    long_string.insert(13, 1'000'000, 's');
     check_refused(refusal(long_string), "…, expected a list of 3 numbers");
 }
 

@@ -26,8 +26,9 @@ class ManifoldGeometry final : public PairGeometry {
     /// Where the two are, and how near their surfaces must be to count as near.
     struct Situation {
         Pose body_a, body_b;
-        double reach = 0;  ///< [m]
-        double area = 0;   ///< [m²], that the points share
+        double reach = 0;   ///< [m]
+        double area = 0;    ///< [m²], that the points share
+        double growth = 0;  ///< [m], by which the load of a point that is found deep may grow in one update
     };
     /// Runs the narrowphase with the objects there for the time being, and freezes what it finds.
     void update(const Situation& now, const btDispatcherInfo& info);

@@ -1,0 +1,133 @@
+#include <cmath>
+
+#include <catch2/catch.hpp>
+#include <tests/bdf/stepping_case.hpp>
+#include <tests/support/order.hpp>
+
+using namespace scree;
+using namespace scree::test;
+
+namespace {
+
+constexpr double duration = 0.08;  // [s]
+constexpr double edge = 0.1;
+constexpr double mass = 2.6;
+constexpr double gravity = 9.81;
+
+// Formulas of a given order need as much past. It comes from steps so small that their own low order does not
+// matter, which grow slowly enough for the formulas to stay stable.
+BodyState state_after(SteppingCase scene, std::size_t order, int steps) {
+    constexpr double first = 1e-4;  // of a step
+    constexpr double growth = 1.1;
+    SteppingOptions options;
+    options.tolerances.gravity = scene.gravity;
+    options.tolerances.relative = 1e-9;  // to which the equations are solved, too
+    options.tolerances.absolute = 1e-12;
+    options.max_order = order;
+    options.fixed_step = 1;
+    const auto integrator = make_integrator(scene.system, scene.forces, options);
+    integrator->restart(0);
+    const double whole = duration / steps;
+    double step = first * whole;
+    while (integrator->time() < duration) {
+        step = std::min(growth * step, whole);
+        const double left = duration - integrator->time();
+        const double next =
+            step < left ? integrator->time() + left / std::ceil(left / step - 1e-6) : duration;
+        REQUIRE(integrator->step(next) == StepOutcome::accepted);
+    }
+    return scene.system.states.back();
+}
+
+double distance(const BodyState& a, const BodyState& b) {
+    return (a.position - b.position).norm() / edge + a.orientation.angularDistance(b.orientation);
+}
+
+// Asymmetric, and free.
+SteppingCase top() {
+    SteppingCase scene;
+    scene.add_box(Vec3::Ones(), 1, Vec3::Zero());
+    scene.system.bodies[0].inertia = Vec3(1, 2, 3);
+    scene.system.states[0].angular_momentum = 60 * Vec3(0.3, 2, -0.4);
+    return scene;
+}
+
+// A cube that presses on a plane with its weight, as deep as that makes it.
+SteppingCase pressed_cube(double friction) {
+    SteppingCase scene;
+    scene.gravity = gravity;
+    scene.add_ground(HalfSpace{});
+    scene.add_box(Vec3::Constant(edge), mass / std::pow(edge, 3), Vec3::Zero());
+    PairMaterial pair;
+    pair.youngs_modulus = 1e5;
+    pair.friction = friction;
+    const PairConstants& constants = scene.touch(0, 1, pair);
+    const double depth = mass * gravity / (constants.elastic * edge * edge);
+    scene.system.states[1].position.z() = edge / 2 - depth;
+    return scene;
+}
+
+// It heaves, and never leaves the plane.
+SteppingCase floating_cube() {
+    SteppingCase scene = pressed_cube(0);
+    scene.system.states[1].momentum.z() = 0.05 * mass;
+    return scene;
+}
+
+// It swings and rocks on the spring of its friction, and never slips.
+SteppingCase sticking_cube() {
+    SteppingCase scene = pressed_cube(10);
+    scene.system.states[1].momentum = mass * Vec3(0.03, 0.02, 0);
+    return scene;
+}
+
+// The plane turns under it, and with it the normal in which the friction is remembered.
+SteppingCase turned_cube() {
+    SteppingCase scene = sticking_cube();
+    const Vec3 spin(1.5, 2, 0.7);
+    scene.system.states[0].angular_momentum = spin;
+    return scene;
+}
+
+// The slope of the errors' logarithms over three halvings of the step.
+double order_found(SteppingCase (*scene)(), std::size_t order) {
+    const BodyState exact = state_after(scene(), highest_order, 1600);
+    std::vector<double> errors;
+    for (int steps = order > 3 ? 50 : 100; errors.size() < 3; steps *= 2) {
+        errors.push_back(distance(state_after(scene(), order, steps), exact));
+    }
+    return observed_order(errors);
+}
+
+}  // namespace
+
+TEST_CASE("Formulas of order 1 to 5 have that order on a free body and in contact, sticking or not",
+          "[bdf]") {
+    int number = 0;
+    for (const auto scene : {top, floating_cube, sticking_cube}) {
+        for (std::size_t order = 1; order <= highest_order; ++order) {
+            CAPTURE(number, order);
+            CHECK(order_found(scene, order) == Approx(static_cast<double>(order)).margin(0.3));
+        }
+        ++number;
+    }
+}
+
+TEST_CASE("Eq. (5.15): friction has the order of the formula on a contact whose normal turns", "[bdf]") {
+    for (const std::size_t order : {1U, 2U, 3U}) {
+        CAPTURE(order);
+        CHECK(order_found(turned_cube, order) == Approx(static_cast<double>(order)).margin(0.3));
+    }
+}
+
+TEST_CASE("Eq. (5.7): a floating cube heaves as the damped oscillator does", "[bdf]") {
+    SteppingCase scene = floating_cube();
+    const double start = scene.system.states[1].position.z();
+    const PairConstants& pair = scene.system.contacts[0].pair;
+    const double omega = std::sqrt(pair.elastic * edge * edge / mass);
+    const double decay = pair.normal_damping * edge * edge / (2 * mass);
+    const double swing = std::sqrt(omega * omega - decay * decay);
+    const double heave = 0.05 / swing * std::exp(-decay * duration) * std::sin(swing * duration);
+    const double found = state_after(std::move(scene), 5, 400).position.z() - start;
+    CHECK(found == Approx(heave).epsilon(1e-8));
+}
