@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include <catch2/catch.hpp>
-#include <tests/bdf/stepping_case.hpp>
+#include <tests/bdf/known_motions.hpp>
 #include <tests/support/order.hpp>
 
 using namespace scree;
@@ -10,9 +10,6 @@ using namespace scree::test;
 namespace {
 
 constexpr double duration = 0.08;  // [s]
-constexpr double edge = 0.1;
-constexpr double mass = 2.6;
-constexpr double gravity = 9.81;
 
 // Formulas of a given order need as much past. It comes from steps so small that their own low order does not
 // matter, which grow slowly enough for the formulas to stay stable.
@@ -37,56 +34,6 @@ BodyState state_after(SteppingCase scene, std::size_t order, int steps) {
         REQUIRE(integrator->step(next) == StepOutcome::accepted);
     }
     return scene.system.states.back();
-}
-
-double distance(const BodyState& a, const BodyState& b) {
-    return (a.position - b.position).norm() / edge + a.orientation.angularDistance(b.orientation);
-}
-
-// Asymmetric, and free.
-SteppingCase top() {
-    SteppingCase scene;
-    scene.add_box(Vec3::Ones(), 1, Vec3::Zero());
-    scene.system.bodies[0].inertia = Vec3(1, 2, 3);
-    scene.system.states[0].angular_momentum = 60 * Vec3(0.3, 2, -0.4);
-    return scene;
-}
-
-// A cube that presses on a plane with its weight, as deep as that makes it.
-SteppingCase pressed_cube(double friction) {
-    SteppingCase scene;
-    scene.gravity = gravity;
-    scene.add_ground(HalfSpace{});
-    scene.add_box(Vec3::Constant(edge), mass / std::pow(edge, 3), Vec3::Zero());
-    PairMaterial pair;
-    pair.youngs_modulus = 1e5;
-    pair.friction = friction;
-    const PairConstants& constants = scene.touch(0, 1, pair);
-    const double depth = mass * gravity / (constants.elastic * edge * edge);
-    scene.system.states[1].position.z() = edge / 2 - depth;
-    return scene;
-}
-
-// It heaves, and never leaves the plane.
-SteppingCase floating_cube() {
-    SteppingCase scene = pressed_cube(0);
-    scene.system.states[1].momentum.z() = 0.05 * mass;
-    return scene;
-}
-
-// It swings and rocks on the spring of its friction, and never slips.
-SteppingCase sticking_cube() {
-    SteppingCase scene = pressed_cube(10);
-    scene.system.states[1].momentum = mass * Vec3(0.03, 0.02, 0);
-    return scene;
-}
-
-// The plane turns under it, and with it the normal in which the friction is remembered.
-SteppingCase turned_cube() {
-    SteppingCase scene = sticking_cube();
-    const Vec3 spin(1.5, 2, 0.7);
-    scene.system.states[0].angular_momentum = spin;
-    return scene;
 }
 
 // The slope of the errors' logarithms over three halvings of the step.
