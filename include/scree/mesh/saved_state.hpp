@@ -117,8 +117,6 @@ class StateWriter {
 /// Takes back what a writer has written, in the same order. Throws StateError for what cannot be.
 class StateReader {
   public:
-    static constexpr bool reads = true;  ///< for code that serves both ways: `requires { With::reads; }`
-
     /// Reads `state` from its start; it must outlive the reader.
     explicit StateReader(const SavedState& state) : state_(state) {}
 

@@ -131,7 +131,8 @@ class DynamicsWorld : public btDiscreteDynamicsWorld {
     void addConstraint(btTypedConstraint* constraint, bool disable_collisions = false) override;
     /// There is no solver of constraints: throws std::logic_error.
     void solveConstraints(btContactSolverInfo& info) override;
-    /// Refuses shapes that have no overlap: throws std::invalid_argument, and the body is not added.
+    /// Refuses shapes that have no overlap, and Bullet's additional damping: throws std::invalid_argument,
+    /// and the body is not added.
     void addRigidBody(btRigidBody* body) override;
     /// The same, with a filter group and mask.
     void addRigidBody(btRigidBody* body, int group, int mask) override;
