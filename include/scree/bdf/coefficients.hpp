@@ -10,8 +10,8 @@ namespace scree {
 /// derivative at t_{n+1} of the polynomial through the new value and `order` past ones (Hairer, Nørsett and
 /// Wanner, Solving ODEs I, III.5).
 struct BdfFormula {
-    std::array<double, 5> past{};
-    double beta_h = 0;  ///< [s]
+    std::array<double, 5> past{};  ///< of the latest value first; 0 beyond the order
+    double beta_h = 0;             ///< [s]
 };
 
 /// `past_times`: t_n, t_{n−1}, …, at least `order` of them, descending and all before `time`.

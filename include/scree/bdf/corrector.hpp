@@ -24,6 +24,7 @@ void visit_state(auto& with, StateOf<Stiffness> auto& stiffness) {
 /// present step, by Newton's method where they are not.
 class Corrector {
   public:
+    /// Of the options' solver; their gravity scales errors.
     explicit Corrector(const SteppingOptions& options)
         : solver_(options.solver), gravity_(options.tolerances.gravity) {}
 

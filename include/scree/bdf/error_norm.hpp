@@ -8,10 +8,11 @@ namespace scree {
 
 /// The tolerances of a run, dimensionless, and the scale that gravity sets.
 struct Tolerances {
-    double relative = 1e-3;
-    double absolute = 1e-6;
-    double gravity = 9.81;  ///< ‖g‖ [m/s²]
+    double relative = 1e-3;  ///< rtol
+    double absolute = 1e-6;  ///< atol
+    double gravity = 9.81;   ///< ‖g‖ [m/s²]
 
+    /// What both allow together, for errors are over scales of their own.
     [[nodiscard]] double sum() const { return relative + absolute; }
 
     /// What the local error of one step of a formula of this order may be. A method of order q that allows an
@@ -22,7 +23,10 @@ struct Tolerances {
 
 /// An error, or any small change, of one body's state.
 struct BodyError {
-    Vec3 position, angle, velocity, spin;  ///< [m], [rad], [m/s], [rad/s]
+    Vec3 position,  ///< [m]
+        angle,      ///< [rad]
+        velocity,   ///< [m/s]
+        spin;       ///< [rad/s]
 };
 
 /// What a body's errors are measured by, for tolerance 1: ℓ for positions, one radian for angles, and for
@@ -30,6 +34,7 @@ struct BodyError {
 /// speed.
 class ErrorScale {
   public:
+    /// At trial velocities; both lists must outlive it. `gravity` is ‖g‖ [m/s²].
     ErrorScale(std::span<const Body> bodies, std::span<const TrialBody> trial, double gravity);
 
     /// Root mean square of a body's errors over its weights.

@@ -9,6 +9,7 @@ namespace scree {
 /// step.
 class ExplicitStepper final : public Integrator {
   public:
+    /// As Integrator; options of an explicit method, with a fixed step.
     ExplicitStepper(System& system, const ContactForces& forces, const SteppingOptions& options,
                     Workers* workers = nullptr)
         : Integrator(system, forces, options, workers) {}

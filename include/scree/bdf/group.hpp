@@ -24,11 +24,15 @@ class Group {
     Group(std::vector<int> bodies, const ContactForces& forces, const SteppingOptions& options,
           Workers* workers);
 
+    /// Their numbers in the whole, ascending.
     [[nodiscard]] const std::vector<int>& bodies() const { return bodies_; }
     /// The place of a body of the whole among them; −1: not here.
     [[nodiscard]] int place_of(int body) const;
+    /// The group's own system, of which body i is bodies()[i] of the whole.
     [[nodiscard]] const System& system() const { return system_; }
+    /// What steps it.
     [[nodiscard]] const Integrator& integrator() const { return *integrator_; }
+    /// The same, to be changed.
     [[nodiscard]] Integrator& integrator() { return *integrator_; }
 
     /// What the method carried to the last meeting.
@@ -47,8 +51,11 @@ class Group {
     /// Steps to `end` [s] or until it can go no farther. `demand` [m], one a body of the whole, is raised
     /// where a body needs more reach than its cover has.
     StepOutcome advance(double end, std::span<const BodyCover> covers, std::span<double> demand);
+    /// The last advance reached its end.
     [[nodiscard]] bool arrived() const { return arrived_; }
+    /// The last advance could not go on.
     [[nodiscard]] bool failed() const { return failed_; }
+    /// It is at rest and steps no more.
     [[nodiscard]] bool asleep() const { return asleep_; }
 
     /// Hands states and contact memories back: a meeting.
@@ -99,7 +106,7 @@ class Group {
 
 /// What a group carries that takes over from others.
 struct MergedMemory {
-    SteppingMemory memory;
+    SteppingMemory memory;          ///< at the present time
     const Group* leader = nullptr;  ///< whose contacts alone keep their whole past; null: all do
 };
 

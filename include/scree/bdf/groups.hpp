@@ -17,6 +17,7 @@ namespace scree {
 /// come to keep what they have done. When all have arrived, commit().
 class Groups {
   public:
+    /// Of a system that must outlive them.
     explicit Groups(System& whole) : whole_(whole) {}
 
     /// How steps are made from the next deal on; all groups end. `forces` and `workers` must outlive their
@@ -50,18 +51,21 @@ class Groups {
     [[nodiscard]] std::span<const ContactResult> results() const { return results_; }
     /// A group that could not go on in the last advance; null: there is none.
     [[nodiscard]] const Group* failed() const;
+    /// How many groups there are.
     [[nodiscard]] std::size_t count() const { return groups_.size(); }
     /// Whether a body's group is at rest and steps no more.
     [[nodiscard]] bool asleep(int body) const;
+    /// The groups, from the last deal on.
     [[nodiscard]] std::span<const std::unique_ptr<Group>> all() const { return groups_; }
 
     /// What has flowed since last taken.
     Flows take_flows() { return std::exchange(flows_, {}); }
     /// Counts since last taken: of the group with the most steps between each two meetings, and of all.
     struct Counts {
-        SteppingStatistics leading;
-        SteppingStatistics all;
+        SteppingStatistics leading;  ///< of the group with the most steps
+        SteppingStatistics all;      ///< of all groups together
     };
+    /// Hands the counts over and starts them at zero.
     Counts take_counts() { return std::exchange(counts_, {}); }
 
   private:

@@ -12,7 +12,8 @@ namespace scree {
 /// needs. Quaternions of successive times are on one side of the sphere.
 class StateHistory {
   public:
-    static constexpr std::size_t most = highest_order + 2;
+    static constexpr std::size_t most =
+        highest_order + 2;  ///< states, for the error weights of the highest order plus one
 
     /// Forgets everything but this state.
     void restart(double time, const std::vector<BodyState>& states);
@@ -21,8 +22,11 @@ class StateHistory {
     /// Older values behind those that are there; the times must go down.
     void append(double time, const std::vector<BodyState>& states);
 
+    /// How many states there are.
     [[nodiscard]] std::size_t count() const { return times_.size(); }
+    /// Their times [s], the latest first.
     [[nodiscard]] std::span<const double> times() const { return times_; }
+    /// All bodies at the j-th of them.
     [[nodiscard]] const std::vector<BodyState>& states(std::size_t j) const { return states_[j]; }
 
     /// Σ formula.past[j] y_{n−j} for each body.

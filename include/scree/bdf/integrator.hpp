@@ -29,8 +29,8 @@ struct SteppingMemory {
     std::size_t patience = 0;           ///< steps until the functional corrector may be tried again
     StateHistory past;                  ///< the present state, then earlier ones
     std::optional<Accumulated> powers;  ///< [W], where energy flows at `time`; empty: to be found anew
-    std::vector<Vec3> force,
-        torque;  ///< [N], [N m], that a next explicit step or a first error test starts from
+    std::vector<Vec3> force,            ///< [N], that a next explicit step or a first error test starts from
+        torque;                         ///< [N m], likewise
 };
 void visit_state(auto& with, StateOf<SteppingMemory> auto& memory) {
     auto& [time, last_step, next_step, order, held, suspect, barred, stiffness, patience, past, powers, force,
@@ -58,6 +58,7 @@ class Integrator {
     virtual void restart(double time) = 0;
     /// Goes on from the system's present states with what was carried that far.
     virtual void resume(const SteppingMemory& memory) = 0;
+    /// What is carried to the next step.
     [[nodiscard]] const SteppingMemory& memory() const { return memory_; }
     /// As after the step that left this memory.
     void recall(const SteppingMemory& memory) { memory_ = memory; }
@@ -74,19 +75,25 @@ class Integrator {
 
     /// Asked with the bodies of a step that is about to be accepted: whether the contacts are complete there.
     using Covered = std::function<bool(std::span<const TrialBody>)>;
+    /// An empty one: always.
     void set_covered(Covered covered) { covered_ = std::move(covered); }
 
+    /// [s], at the last accepted step.
     [[nodiscard]] double time() const { return memory_.time; }
+    /// Counts since last taken.
     [[nodiscard]] const SteppingStatistics& statistics() const { return statistics_; }
+    /// The equations as last evaluated.
     [[nodiscard]] const StepProblem& problem() const { return problem_; }
 
     /// What has flowed over all accepted steps since this was made or the flows were last taken.
     [[nodiscard]] const Flows& flows() const { return flows_; }
     /// Hands the flows and the counts over and starts both at zero.
     Flows take_flows() { return std::exchange(flows_, {}); }
+    /// Hands the counts over and starts them at zero.
     SteppingStatistics take_statistics();
 
   protected:
+    /// `system` and `forces` must outlive it; so must `workers`, which may be null.
     Integrator(System& system, const ContactForces& forces, const SteppingOptions& options, Workers* workers)
         : system_(system), options_(options), problem_(system, forces, workers) {}
 
@@ -99,13 +106,13 @@ class Integrator {
     /// What the contacts hold at the last evaluation.
     void remember_energies();
 
-    System& system_;
-    SteppingOptions options_;
-    StepProblem problem_;
-    Covered covered_;
-    SteppingMemory memory_;
-    SteppingStatistics statistics_;
-    Flows flows_;
+    System& system_;                 ///< that is stepped
+    SteppingOptions options_;        ///< of the method
+    StepProblem problem_;            ///< of the step under way
+    Covered covered_;                ///< empty: every step is
+    SteppingMemory memory_;          ///< at the last accepted step
+    SteppingStatistics statistics_;  ///< since last taken
+    Flows flows_;                    ///< since last taken
 
   private:
     void remember_contacts();

@@ -9,6 +9,7 @@ namespace scree {
 /// then commit or retry.
 class Stepper final : public Integrator {
   public:
+    /// As Integrator; options of the method BDF.
     Stepper(System& system, const ContactForces& forces, const SteppingOptions& options,
             Workers* workers = nullptr)
         : Integrator(system, forces, options, workers), corrector_(options) {}

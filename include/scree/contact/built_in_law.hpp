@@ -10,10 +10,11 @@ namespace scree {
 /// The project's law: normal force from the overlap volume, friction, torsion, rolling resistance.
 template <LawParts parts>
 struct BuiltInLaw {
-    static constexpr bool gives_rates = true;
-    static constexpr bool gives_power = true;
-    LawOptions options;
+    static constexpr bool gives_rates = true;  ///< in closed form
+    static constexpr bool gives_power = true;  ///< see ContactPower
+    LawOptions options;                        ///< the same for all pairs
 
+    /// Fills `out` by the law; ContactState::open where the pair is not pressed together and not pulled.
     void operator()(const ContactInput& in, ContactForce& out) const {
         out.reset();
         PressingForce pressing;

@@ -13,13 +13,14 @@ namespace scree {
 /// R* is taken from the overlap, V/(πδ²) + δ/3: exact on a flat wall, and off by δ/4 between two like balls.
 /// A law for DynamicsWorld::set_contact_law.
 struct HertzMindlin {
-    static constexpr bool gives_rates = true;
-    static constexpr bool gives_power = true;
+    static constexpr bool gives_rates = true;  ///< in closed form
+    static constexpr bool gives_power = true;  ///< see ContactPower
 
     double poisson_ratio = 0.3;     ///< ν, of both bodies
     double normal_damping = 0;      ///< β
     double tangential_damping = 0;  ///< β
 
+    /// Fills `out` by the law.
     void operator()(const ContactInput& in, ContactForce& out) const;
 };
 

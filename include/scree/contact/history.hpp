@@ -37,9 +37,9 @@ struct ContactHistory {
     bool centre_line = false;                        ///< the normal was the line of centres
     double normal_energy = 0;                        ///< stored [J], where the law has a potential
     double tangential_energy = 0;                    ///< stored [J]
-    double torsional_energy = 0;
-    double rolling_energy = 0;
-    double cohesive_energy = 0;
+    double torsional_energy = 0;                     ///< stored [J]
+    double rolling_energy = 0;                       ///< stored [J]
+    double cohesive_energy = 0;                      ///< [J], below 0
     /// What a law with a history of its own keeps beside `past`: as many records of plain numbers, the latest
     /// first; empty for all other laws.
     std::vector<double> own;

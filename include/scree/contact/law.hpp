@@ -13,20 +13,21 @@ namespace scree {
 /// Everything a contact law may look at. A law is pure: the same input gives the same output, whatever was
 /// asked before; only the caller, on accepting a step, makes a trial record history.
 struct ContactInput {
-    const ContactGeometry& geometry;
-    const RelativeMotion& motion;
-    const PairConstants& pair;
-    const ContactHistory& history;
-    const FrictionStep& step;
-    const PairArms& arms;
+    const ContactGeometry& geometry;            ///< where the overlap is, at the trial poses
+    const RelativeMotion& motion;               ///< of A against B there, at the trial velocities
+    const PairConstants& pair;                  ///< constants of the pair
+    const ContactHistory& history;              ///< of accepted steps
+    const FrictionStep& step;                   ///< how the history enters the trial
+    const PairArms& arms;                       ///< of the contact about both mass centres
     const MotionRates* rates = nullptr;         ///< set when derivatives are wanted
     const PatchCells* cells = nullptr;          ///< of the patch, for a law that asks for them
     const DepthPotential* potential = nullptr;  ///< likewise
 };
 
+/// What friction does: there is no force, the contact sticks, it is at its limit.
 enum class ContactState { open, stick, slip };
 template <>
-inline constexpr std::uint64_t enumerators<ContactState> = 3;
+inline constexpr std::uint64_t enumerators<ContactState> = 3;  ///< as StateReader checks it
 
 /// Where the power of a contact goes [W].
 struct ContactPower {
@@ -49,10 +50,11 @@ void visit_state(auto& with, StateOf<ContactPower> auto& power) {
 
 /// Which branches of a law its answer came from; its derivative jumps where they change.
 struct ContactRegime {
-    ContactState state = ContactState::open;
-    bool rolls = false;
-    std::bitset<PatchCells::count> slipping;
+    ContactState state = ContactState::open;  ///< of the friction
+    bool rolls = false;                       ///< the rolling resistance is at its limit
+    std::bitset<PatchCells::count> slipping;  ///< cells of the patch that are at their limit
 
+    /// On the same branch everywhere.
     bool operator==(const ContactRegime&) const = default;
 };
 /// What a contact law answers.
@@ -65,16 +67,17 @@ struct ContactForce {
     std::vector<PatchRecord> cells;
     ContactState state = ContactState::open;  ///< slip: all cells of a patch are at their limit
     bool rolls = false;                       ///< the rolling resistance is at its limit
-    ContactPower power;
-    double normal_energy = 0;          ///< stored [J], where the law has a potential
-    double tangential_energy = 0;      ///< stored [J]
-    double torsional_energy = 0;       ///< stored [J]
-    double rolling_energy = 0;         ///< stored [J]
-    double cohesive_energy = 0;        ///< [J], below 0: what it takes to pull the bodies apart
-    bool lost_direction = false;       ///< a stored force was normal to the new plane and started from zero
-    Mat39 force_rate = Mat39::Zero();  ///< by the nine unknowns of MotionRates, when asked for
-    Mat39 moment_rate = Mat39::Zero();
+    ContactPower power;                       ///< at the trial velocities
+    double normal_energy = 0;                 ///< stored [J], where the law has a potential
+    double tangential_energy = 0;             ///< stored [J]
+    double torsional_energy = 0;              ///< stored [J]
+    double rolling_energy = 0;                ///< stored [J]
+    double cohesive_energy = 0;               ///< [J], below 0: what it takes to pull the bodies apart
+    bool lost_direction = false;        ///< a stored force was normal to the new plane and started from zero
+    Mat39 force_rate = Mat39::Zero();   ///< by the nine unknowns of MotionRates, when asked for
+    Mat39 moment_rate = Mat39::Zero();  ///< likewise
 
+    /// The branches that this answer came from.
     [[nodiscard]] ContactRegime regime() const {
         return {state, rolls, cells.empty() ? std::bitset<PatchCells::count>() : cells.front().slipping};
     }
@@ -121,10 +124,12 @@ concept LawWithHistory = std::is_trivially_copyable_v<typename Law::History> &&
 template <class Law>
 concept ContactLaw = PlainLaw<Law> || LawWithHistory<Law>;
 
+/// A law that sets force_rate and moment_rate.
 template <class Law>
 concept GivesRates = requires {
     requires Law::gives_rates;
 };
+/// A law that sets power.
 template <class Law>
 concept GivesPower = requires {
     requires Law::gives_power;

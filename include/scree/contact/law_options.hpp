@@ -8,7 +8,7 @@ enum class FrictionLaw {
     cundall_strack_2d,  ///< the same as a signed number along e_y × n, for motion in the x–z plane: Eq.
                         ///< (5.12)
     viscous,  ///< against the velocity and without memory, cut off at μ fn; nothing then holds still
-    none,
+    none,     ///< no tangential force at all
 };
 
 /// What the elastic part of the normal force is.
@@ -45,21 +45,22 @@ enum class ReducedMass {
 
 /// Choices that are made while the law runs.
 struct LawOptions {
-    Elasticity elasticity = Elasticity::volume;
-    DampingPlace damping = DampingPlace::patch;
-    NormalDamping normal_damping = NormalDamping::length;
-    TangentialStiffness tangential_stiffness = TangentialStiffness::length;
-    ReducedMass reduced_mass = ReducedMass::point;
+    Elasticity elasticity = Elasticity::volume;            ///< of the normal force
+    DampingPlace damping = DampingPlace::patch;            ///< where the normal damping acts
+    NormalDamping normal_damping = NormalDamping::length;  ///< its size
+    TangentialStiffness tangential_stiffness = TangentialStiffness::length;  ///< of the friction's spring
+    ReducedMass reduced_mass = ReducedMass::point;                           ///< of the friction's damping
     bool co_rotation =
         true;  ///< turn the stored force with the pair; false: the literal scheme of the source
 };
 
 /// Which parts a scene can enter; what is left out is not compiled into its loop.
 struct LawParts {
-    FrictionLaw friction = FrictionLaw::cundall_strack;
-    bool torsion = true;
-    bool rolling = false;
+    FrictionLaw friction = FrictionLaw::cundall_strack;  ///< none: neither torsion nor cells
+    bool torsion = true;                                 ///< about the normal, where a pair has it
+    bool rolling = false;                                ///< resistance, where a pair has it
 
+    /// The same parts.
     bool operator==(const LawParts&) const = default;
 };
 

@@ -7,7 +7,7 @@ namespace scree {
 
 /// N ≥ 0 [N], the elastic and the damping force that press the bodies together.
 struct PressingForce {
-    double size = 0;
+    double size = 0;           ///< N [N]
     Row9 rate = Row9::Zero();  ///< by the nine unknowns, when asked for
 };
 

@@ -8,9 +8,9 @@ namespace scree {
 
 /// The first axis of the patch, which turns and tilts with the pair as a stored force does.
 struct PatchAxis {
-    Vec3 axis = Vec3::UnitX();
-    Mat39 rate;          ///< by the nine unknowns; set when rates are given
-    bool fresh = false;  ///< nothing is stored in these axes
+    Vec3 axis = Vec3::UnitX();  ///< unit, across the normal, world axes
+    Mat39 rate;                 ///< by the nine unknowns; set when rates are given
+    bool fresh = false;         ///< nothing is stored in these axes
 };
 /// `otherwise`: a unit vector across the normal, for a patch without a past or with one that lost its
 /// direction.

@@ -12,7 +12,7 @@ namespace scree {
 
 /// A convex part of a body.
 struct BodyPart {
-    std::shared_ptr<const Shape> shape;
+    std::shared_ptr<const Shape> shape;        ///< exact, shared by equal parts
     Pose local;                                ///< of the shape, in the body's frame
     double volume = 0;                         ///< [m³]; infinite for a half-space and an open surface
     const btCollisionShape* bullet = nullptr;  ///< what it was made from, a leaf; Bullet's user keeps it
@@ -22,11 +22,11 @@ struct BodyPart {
 
 /// The exact shape that a Bullet shape stands for.
 struct BodyShape {
-    std::vector<BodyPart> parts;
-    double volume = 0;  ///< [m³], the parts' sum
-    double radius = 0;  ///< [m], of a ball about the body's origin that holds all parts
-    double skin = 0;    ///< [m], the largest of the parts'
-    bool open = false;  ///< a part is an open surface
+    std::vector<BodyPart> parts;  ///< at least one
+    double volume = 0;            ///< [m³], the parts' sum
+    double radius = 0;            ///< [m], of a ball about the body's origin that holds all parts
+    double skin = 0;              ///< [m], the largest of the parts'
+    bool open = false;            ///< a part is an open surface
 };
 
 /// Turns Bullet's shapes into exact ones. Equal parts are made once and shared.

@@ -17,9 +17,11 @@ class PolyhedronShape : public btConvexHullShape {
     /// The exact polyhedron, in the frame of the Bullet shape.
     [[nodiscard]] const std::shared_ptr<const Shape>& exact() const { return shape_; }
 
+    /// The least box [m] about the vertices.
     void getAabb(const btTransform& transform, btVector3& low, btVector3& high) const override;
     /// The polyhedron keeps its size: throws std::invalid_argument for any scaling but 1.
     void setLocalScaling(const btVector3& scaling) override;
+    /// For Bullet's debugging.
     [[nodiscard]] const char* getName() const override { return "ConvexPolyhedron"; }
 
   private:

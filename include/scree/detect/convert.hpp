@@ -6,10 +6,12 @@
 
 namespace scree {
 
+/// The same vector.
 inline Vec3 to_eigen(const btVector3& v) {
     return {v.x(), v.y(), v.z()};
 }
 
+/// The same vector.
 inline btVector3 to_bullet(const Vec3& v) {
     return {v.x(), v.y(), v.z()};
 }
@@ -23,6 +25,7 @@ inline Pose to_eigen(const btTransform& transform) {
     return {to_eigen(transform.getOrigin()), Quat(turn).normalized()};
 }
 
+/// The same motion.
 inline btTransform to_bullet(const Pose& pose) {
     const Mat3 m = pose.orientation.toRotationMatrix();
     return btTransform(

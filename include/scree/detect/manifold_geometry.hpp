@@ -15,17 +15,19 @@ class ManifoldGeometry final : public PairGeometry {
   public:
     /// A part of a body, as Bullet has it.
     struct Side {
-        btCollisionObject* object = nullptr;
-        BodyPart part;
-        int index = 0;  ///< of the part, for Bullet's users
+        btCollisionObject* object = nullptr;  ///< in Bullet's world
+        BodyPart part;                        ///< of that object
+        int index = 0;                        ///< of the part, for Bullet's users
     };
 
+    /// Of two parts; without points before the first update. The dispatcher must outlive it.
     ManifoldGeometry(btDispatcher& dispatcher, Side a, Side b);
     ~ManifoldGeometry() override;
 
     /// Where the two are, and how near their surfaces must be to count as near.
     struct Situation {
-        Pose body_a, body_b;
+        Pose body_a,        ///< of the first body's frame
+            body_b;         ///< of the second one's
         double reach = 0;   ///< [m]
         double area = 0;    ///< [m²], that the points share
         double growth = 0;  ///< [m], by which the load of a point that is found deep may grow in one update
@@ -40,6 +42,7 @@ class ManifoldGeometry final : public PairGeometry {
 
     /// Lets go of everything in Bullet, before one of the objects goes. The points stay as they are.
     void release();
+    /// Whether one of the two is this object.
     [[nodiscard]] bool concerns(const btCollisionObject& object) const {
         return a_.object == &object || b_.object == &object;
     }

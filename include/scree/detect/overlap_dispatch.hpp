@@ -20,8 +20,10 @@ class OverlapDispatch : public std::enable_shared_from_this<OverlapDispatch> {
     struct Private {};
 
   public:
+    /// The dispatcher's own; made, and put in place, when there is none yet.
     static std::shared_ptr<OverlapDispatch> of(btCollisionDispatcher& dispatcher);
 
+    /// Puts the overlap in place in the dispatcher's tables.
     OverlapDispatch(Private /*only of() makes one*/, btCollisionDispatcher& dispatcher);
     ~OverlapDispatch();
     OverlapDispatch(const OverlapDispatch&) = delete;
@@ -32,10 +34,11 @@ class OverlapDispatch : public std::enable_shared_from_this<OverlapDispatch> {
 
     /// What the algorithms share; one thread at a time uses a dispatcher.
     struct Tools {
-        ShapeLibrary library;
-        OverlapWorkspace workspace;
-        ContactGeometry geometry;
+        ShapeLibrary library;        ///< of the exact shapes
+        OverlapWorkspace workspace;  ///< of the overlap computation
+        ContactGeometry geometry;    ///< of the pair at hand
     };
+    /// Kept alive by every algorithm that uses them.
     [[nodiscard]] const std::shared_ptr<Tools>& tools() const { return tools_; }
 
   private:

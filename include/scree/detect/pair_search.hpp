@@ -13,9 +13,9 @@ namespace scree {
 
 /// A body as the pair search sees it.
 struct SearchBody {
-    btCollisionObject* object = nullptr;
-    const BodyShape* shape = nullptr;
-    Pose pose;
+    btCollisionObject* object = nullptr;  ///< in Bullet's world
+    const BodyShape* shape = nullptr;     ///< kept alive by the caller
+    Pose pose;                            ///< of the body's frame
     double reach = 0;      ///< [m], how far any of its points may come before the pairs are found anew
     bool dynamic = false;  ///< forces move it
     double skin = 0;       ///< [m], how far outside the shape it can be touched
@@ -23,16 +23,18 @@ struct SearchBody {
 
 /// Two parts that may come to touch, by the bodies' places in the search and the parts' in the bodies.
 struct PartPair {
-    int body_a = 0;
+    int body_a = 0;  ///< place of the first body
     int body_b = 0;  ///< > body_a
-    int part_a = 0;
-    int part_b = 0;
+    int part_a = 0;  ///< place of the part in A
+    int part_b = 0;  ///< place of the part in B
 
     friend void visit_state(auto& with, StateOf<PartPair> auto& pair) {
         auto& [body_a, body_b, part_a, part_b] = pair;
         with(body_a, body_b, part_a, part_b);
     }
+    /// The same parts.
     bool operator==(const PartPair&) const = default;
+    /// By bodies, then by parts.
     bool operator<(const PartPair& other) const {
         return std::tie(body_a, body_b, part_a, part_b) <
                std::tie(other.body_a, other.body_b, other.part_a, other.part_b);

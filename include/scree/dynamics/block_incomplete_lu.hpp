@@ -21,15 +21,19 @@ class BlockIncompleteLU {
     BlockIncompleteLU& compute(const Matrix& /*matrix*/) {
         return *this;
     }
+    /// Likewise nothing to do.
     template <class Matrix>
     BlockIncompleteLU& analyzePattern(const Matrix& /*matrix*/) {
         return *this;
     }
+    /// Likewise nothing to do.
     template <class Matrix>
     BlockIncompleteLU& factorize(const Matrix& /*matrix*/) {
         return *this;
     }
+    /// Eigen asks; what fails is told by eliminate().
     [[nodiscard]] static Eigen::ComputationInfo info() { return Eigen::Success; }
+    /// U⁻¹ L⁻¹ `right`, six numbers a block row.
     [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& right) const;
 
   private:

@@ -16,14 +16,22 @@ class BlockMatrix {
     void clear(int size);
     /// Blocks at one place are summed. finish() must follow before anything is read.
     void add(int row, int column, const Mat6& block);
+    /// Sorts and sums what was added.
     void finish();
 
+    /// How many block rows.
     [[nodiscard]] int size() const { return size_; }
+    /// The place of a row's first block.
     [[nodiscard]] std::size_t begin(int row) const { return begin_[static_cast<std::size_t>(row)]; }
+    /// One past the place of its last block.
     [[nodiscard]] std::size_t end(int row) const { return begin_[static_cast<std::size_t>(row) + 1]; }
+    /// The column of the block at a place.
     [[nodiscard]] int column(std::size_t place) const { return columns_[place]; }
+    /// The block at a place.
     [[nodiscard]] const Mat6& block(std::size_t place) const { return blocks_[place]; }
+    /// The same, to be changed.
     [[nodiscard]] Mat6& block(std::size_t place) { return blocks_[place]; }
+    /// Whether no entry is infinite or not a number.
     [[nodiscard]] bool all_finite() const;
 
     /// The same as scalars, into a matrix whose memory is used again. The pattern must be symmetric.

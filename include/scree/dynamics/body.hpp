@@ -30,8 +30,9 @@ struct Body {
     const PrescribedPath* path = nullptr;
     /// Null: forces and torques have their full way. Kept alive by the owner of the body.
     const Restraint* restraint = nullptr;
-    Rest rest = Rest::by_option;
+    Rest rest = Rest::by_option;  ///< whether it may be left standing
 
+    /// Whether forces move it.
     [[nodiscard]] bool dynamic() const { return mass < std::numeric_limits<double>::infinity(); }
 };
 /// What acts on it; the body itself is the same.

@@ -26,13 +26,13 @@ class ContactForces {
 
 /// Buffers of one contact's evaluation, one a thread; nothing in them outlives it.
 struct ContactWorkspace {
-    OverlapWorkspace overlap;
-    ContactGeometry geometry;
-    MotionRates rates;
-    PatchCells cells;
-    DepthPotential potential;
-    ContactForce law;         ///< of a law that is differenced
-    std::vector<double> own;  ///< the same
+    OverlapWorkspace overlap;  ///< of the shapes
+    ContactGeometry geometry;  ///< of the contact at hand
+    MotionRates rates;         ///< of the motion there
+    PatchCells cells;          ///< of the patch, for laws that want them
+    DepthPotential potential;  ///< of the overlap, likewise
+    ContactForce law;          ///< of a law that is differenced
+    std::vector<double> own;   ///< the same
 };
 /// That of the calling thread.
 ContactWorkspace& contact_workspace();
@@ -62,6 +62,7 @@ void account_as_lost(const ContactGeometry& geometry, const RelativeMotion& moti
 template <ContactLaw Law>
 class ForcesOf final : public ContactForces {
   public:
+    /// Of a copy of `law`.
     explicit ForcesOf(Law law) : law_(std::move(law)) {}
 
     void evaluate(std::span<const Contact> contacts, std::span<const TrialBody> bodies,

@@ -15,6 +15,7 @@ struct Accumulated {
     double cohesion = 0;            ///< against the pull of cohesion
     double applied = 0;             ///< by applied forces, restraints and prescribed bodies
 
+    /// Adds `factor` times `other`.
     Accumulated& add(double factor, const Accumulated& other);
 };
 void visit_state(auto& with, StateOf<Accumulated> auto& sums) {
@@ -38,21 +39,21 @@ Vec3 outside_force(const System& system, const StepProblem& problem);
 
 /// Where the energy is [J].
 struct EnergyLedger {
-    double kinetic = 0;
-    double gravity = 0;
-    double normal_elastic = 0;
-    double tangential_elastic = 0;
-    double torsional_elastic = 0;
-    double rolling_elastic = 0;
-    double cohesive = 0;  ///< below 0: what it takes to pull apart what holds together
-    double lost_normal_damping = 0;
-    double lost_tangential_damping = 0;
-    double lost_friction = 0;
-    double lost_torsion = 0;   ///< to slip and damping about the normal
-    double lost_rolling = 0;   ///< to rolling resistance
+    double kinetic = 0;                  ///< ½ p·v + ½ L·ω of the dynamic bodies
+    double gravity = 0;                  ///< −m g·x, from the world's origin
+    double normal_elastic = 0;           ///< in overlaps
+    double tangential_elastic = 0;       ///< in the springs of friction
+    double torsional_elastic = 0;        ///< in the springs about the normals
+    double rolling_elastic = 0;          ///< in the springs against rolling
+    double cohesive = 0;                 ///< below 0: what it takes to pull apart what holds together
+    double lost_normal_damping = 0;      ///< to the dashpots along the normals
+    double lost_tangential_damping = 0;  ///< to the dashpots of friction
+    double lost_friction = 0;            ///< to slip
+    double lost_torsion = 0;             ///< to slip and damping about the normal
+    double lost_rolling = 0;             ///< to rolling resistance
     double lost_cohesion = 0;  ///< to pulls that are not the gradient of a potential, as of edges that rock
-    double work_applied = 0;
-    double residual = 0;  ///< what the numbers above leave unexplained: the error of the time stepping
+    double work_applied = 0;   ///< by forces, restraints, prescribed bodies and changes from outside
+    double residual = 0;       ///< what the numbers above leave unexplained: the error of the time stepping
 
     /// What the bodies and contacts hold.
     [[nodiscard]] double held() const {
@@ -86,7 +87,9 @@ class EnergyAccount {
     /// After steps, and what has flowed in them.
     void settle(const System& system, const Flows& flows);
 
+    /// As last opened or settled.
     [[nodiscard]] const EnergyLedger& ledger() const { return ledger_; }
+    /// Momentum [kg m/s] of the dynamic bodies less the impulse that they received since the start.
     [[nodiscard]] const Vec3& momentum_residual() const { return momentum_gain_; }
 
     friend void visit_state(auto& with, StateOf<EnergyAccount> auto& account) {

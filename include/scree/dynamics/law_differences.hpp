@@ -20,8 +20,10 @@ class DifferenceSteps {
 
 /// A pair with one of its nine unknowns, see MotionRates, changed by a step, and its poses with it.
 struct NudgedPair {
-    TrialBody a, b;
+    TrialBody a,  ///< with its pose as the velocities lead
+        b;        ///< likewise
 
+    /// Of A and B as they are, `unknown` from 0 to 8; `step` [m/s] or [rad/s], `beta_h` [s].
     NudgedPair(const TrialBody& at_a, const TrialBody& at_b, int unknown, double step, double beta_h);
 };
 

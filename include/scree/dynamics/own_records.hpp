@@ -23,8 +23,10 @@ class OwnRecords {
             std::memcpy(static_cast<void*>(&past_[j]), &history.own[numbers * j], sizeof(History));
         }
     }
+    /// The records, the latest first.
     [[nodiscard]] std::span<const History> past() const { return std::span(past_).first(count_); }
 
+    /// Puts a record into plain numbers, in place of what is there.
     void write(const History& record, std::vector<double>& to) const {
         to.assign(numbers, 0);
         std::memcpy(to.data(), &record, sizeof(History));

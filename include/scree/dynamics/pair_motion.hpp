@@ -5,6 +5,7 @@
 
 namespace scree {
 
+/// Of A's material at the contact against B's, without what conveyors do.
 RelativeMotion relative_motion(const TrialBody& a, const TrialBody& b, const PairArms& arms);
 
 /// Adds what conveyors do to a contact: the part of `surface`, the velocity of A's surface less that of B's

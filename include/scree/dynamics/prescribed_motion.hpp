@@ -18,6 +18,7 @@ struct PrescribedMotion {
     /// counts: a belt drives what lies on it along, and neither lifts nor sinks.
     Vec3 surface_velocity = Vec3::Zero();
 
+    /// Whether s is a vibration.
     [[nodiscard]] bool vibrates() const { return amplitude > 0; }
 };
 

@@ -16,6 +16,7 @@ struct PathPoint {
 /// whatever method makes it.
 class PrescribedPath {
   public:
+    /// Made by those that derive from it.
     PrescribedPath() = default;
     virtual ~PrescribedPath() = default;
     PrescribedPath(const PrescribedPath&) = delete;

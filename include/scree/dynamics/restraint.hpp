@@ -13,9 +13,12 @@ struct Restraint {
     double slowing = 0;          ///< [1/s], of the momentum
     double turning_down = 0;     ///< [1/s], of the angular momentum
 
+    /// The same restraint.
     bool operator==(const Restraint&) const = default;
 
+    /// Whether the spin about a world axis, 0 to 2, is held.
     [[nodiscard]] bool held(int axis) const { return around[axis] == 0; }
+    /// Whether any is.
     [[nodiscard]] bool holds_spin() const { return held(0) || held(1) || held(2); }
 };
 

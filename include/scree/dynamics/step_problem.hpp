@@ -11,8 +11,8 @@ namespace scree {
 
 /// Bodies, their states and the pairs that may touch: what a step starts from.
 struct System {
-    std::vector<Body> bodies;
-    std::vector<BodyState> states;
+    std::vector<Body> bodies;       ///< what they are
+    std::vector<BodyState> states;  ///< where they are, one a body
     std::vector<Contact> contacts;  ///< sorted by body, then by part
 };
 
@@ -27,6 +27,7 @@ class StepProblem {
     StepProblem(const System& system, const ContactForces& forces, Workers* workers = nullptr)
         : system_(system), forces_(forces), workers_(workers) {}
 
+    /// Replaces them from the next evaluation on.
     void set_workers(Workers* workers) { workers_ = workers; }
 
     /// The formulas of this step and what the past contributes, one start a body.
@@ -41,6 +42,7 @@ class StepProblem {
 
     /// Of the last evaluation.
     [[nodiscard]] Detail detail() const { return detail_; }
+    /// [kg m/s] and [kg m²/s], six numbers a body, 0 for those that forces do not move.
     [[nodiscard]] const Eigen::VectorXd& residual() const { return residual_; }
     /// Whether a contact opened or closed or changed between stick and slip since the last factorisation.
     [[nodiscard]] bool states_changed() const;
@@ -58,9 +60,13 @@ class StepProblem {
     /// force carries the solver's residual multiplied by the contact's stiffness.
     void new_states(std::vector<BodyState>& states) const;
 
+    /// Of the present step.
     [[nodiscard]] const StepFormulas& formulas() const { return formulas_; }
+    /// Of each contact at the last evaluation.
     [[nodiscard]] std::span<const ContactResult> results() const { return results_; }
+    /// The bodies at the last evaluation.
     [[nodiscard]] std::span<const TrialBody> trial() const { return trial_; }
+    /// As last assembled.
     [[nodiscard]] const Jacobian& jacobian() const { return jacobian_; }
     /// ṗ [N], forces from outside included.
     [[nodiscard]] const std::vector<Vec3>& forces() const { return force_; }
@@ -71,6 +77,7 @@ class StepProblem {
         Vec3 force = Vec3::Zero();   ///< [N]
         Vec3 torque = Vec3::Zero();  ///< [N m]
     };
+    /// One a body, or none, at the last evaluation.
     [[nodiscard]] std::span<const Hold> holds() const { return holds_; }
     /// Whether a contact has a force on the body.
     [[nodiscard]] bool touched(std::size_t body) const { return touched_[body]; }
@@ -82,7 +89,9 @@ class StepProblem {
         double jacobian = 0;          ///< [s] of evaluations with derivatives and of the assembly
         double solve = 0;             ///< [s] of factorisations and their use
     };
+    /// Since last taken.
     [[nodiscard]] const Costs& costs() const { return costs_; }
+    /// Hands them over and starts them at zero.
     Costs take_costs() { return std::exchange(costs_, {}); }
 
   private:

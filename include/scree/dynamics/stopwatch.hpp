@@ -7,6 +7,7 @@ namespace scree {
 /// Adds the wall time of its own life to a sum [s].
 class Stopwatch {
   public:
+    /// Starts; `sum` must outlive it.
     explicit Stopwatch(double& sum) : sum_(sum) {}
     ~Stopwatch() { sum_ += std::chrono::duration<double>(Clock::now() - start_).count(); }
     Stopwatch(const Stopwatch&) = delete;

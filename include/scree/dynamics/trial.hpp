@@ -21,16 +21,16 @@ struct TrialBody {
 
 /// What the past contributes to a body's new state: Σ past[j] y_{n−j}.
 struct BodyStart {
-    Vec3 position = Vec3::Zero();
+    Vec3 position = Vec3::Zero();                           ///< [m]
     Eigen::Vector4d orientation = Eigen::Vector4d::Zero();  ///< x, y, z, w; not unit
-    Vec3 momentum = Vec3::Zero();
-    Vec3 angular_momentum = Vec3::Zero();
-    std::array<Quat, highest_order> past_orientations;  ///< the latest first
+    Vec3 momentum = Vec3::Zero();                           ///< [kg m/s]; prescribed: velocity [m/s]
+    Vec3 angular_momentum = Vec3::Zero();                   ///< [kg m²/s]; prescribed: ω [rad/s]
+    std::array<Quat, highest_order> past_orientations;      ///< the latest first
 };
 
 /// The linear formulas of one trial step.
 struct StepFormulas {
-    std::size_t order = 1;
+    std::size_t order = 1;                                                ///< of the bodies' formula
     double time = 0;                                                      ///< [s], at the step's end
     double step = 0;                                                      ///< [s]
     double beta_h = 0;                                                    ///< [s], of the bodies' formula

@@ -18,6 +18,7 @@ class Workers {
     Workers(const Workers&) = delete;
     Workers& operator=(const Workers&) = delete;
 
+    /// How many, the calling one among them.
     [[nodiscard]] std::size_t threads() const { return crew_.size() + 1; }
 
     /// Calls job(0) … job(count − 1) and returns when all are done; an exception of the lowest job that threw

@@ -15,20 +15,21 @@ struct Plane {
 
 /// One directed edge of a face: it starts at `vertex` and has the face `across` on its other side.
 struct HalfEdge {
-    int vertex = 0;
-    int across = 0;
+    int vertex = 0;  ///< number of the vertex
+    int across = 0;  ///< number of the face
 };
 
 /// A closed convex polyhedron with planar polygonal faces, ready to be clipped. Face f owns the half-edges
 /// face_begin[f] … face_begin[f + 1], counter-clockwise seen from outside.
 struct ConvexPolyhedron {
-    std::vector<Vec3> vertices;      ///< [m]
-    std::vector<Plane> planes;       ///< one a face
-    std::vector<int> face_begin{0};  ///< faces + 1 entries
-    std::vector<HalfEdge> half_edges;
-    double radius = 0;  ///< [m], of the sphere about the origin that holds all vertices
-    double width = 0;   ///< [m], the least extent along the normal of a face
+    std::vector<Vec3> vertices;        ///< [m]
+    std::vector<Plane> planes;         ///< one a face
+    std::vector<int> face_begin{0};    ///< faces + 1 entries
+    std::vector<HalfEdge> half_edges;  ///< of all faces, one face's in a row
+    double radius = 0;                 ///< [m], of the sphere about the origin that holds all vertices
+    double width = 0;                  ///< [m], the least extent along the normal of a face
 
+    /// How many faces.
     [[nodiscard]] int face_count() const { return static_cast<int>(planes.size()); }
 };
 

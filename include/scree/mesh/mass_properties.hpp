@@ -17,6 +17,7 @@ struct MassProperties {
 /// By the divergence theorem over the surface, exact for polyhedra. The surface must be closed and outward;
 /// throws std::invalid_argument when its volume is not positive.
 MassProperties mass_properties(const ConvexPolyhedron& solid);
+/// Of the solid that a closed triangle mesh encloses.
 MassProperties mass_properties(const TriangleMesh& surface);
 
 /// Radius [m] of the sphere of a given volume [m³].

@@ -9,11 +9,13 @@ struct Pose {
     Vec3 position = Vec3::Zero();         ///< [m], in the outer frame
     Quat orientation = Quat::Identity();  ///< unit, from the inner to the outer frame
 
+    /// The outer coordinates [m] of a point given by its inner ones.
     [[nodiscard]] Vec3 operator*(const Vec3& point) const { return orientation * point + position; }
     /// The motion that applies `inner` first.
     [[nodiscard]] Pose operator*(const Pose& inner) const {
         return {*this * inner.position, orientation * inner.orientation};
     }
+    /// The motion back, from the outer to the inner frame.
     [[nodiscard]] Pose inverse() const {
         const Quat back = orientation.conjugate();
         return {-(back * position), back};

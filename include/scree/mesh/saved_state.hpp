@@ -28,9 +28,10 @@ namespace scree {
 /// which serves for writing and for reading. The binding names all members, so that one that is added does
 /// not go unnoticed: nothing compiles until it is decided whether it is kept.
 struct SavedState {
-    std::vector<double> numbers;
-    std::vector<std::uint64_t> counts;
+    std::vector<double> numbers;        ///< all that is a double, in the order of writing
+    std::vector<std::uint64_t> counts;  ///< whole numbers, flags and enumerations, likewise
 
+    /// Number by number.
     bool operator==(const SavedState&) const = default;
 };
 
@@ -51,8 +52,10 @@ inline constexpr std::uint64_t enumerators = 0;
 /// Appends what it is called with to a saved state.
 class StateWriter {
   public:
+    /// Appends to `state`, which must outlive the writer.
     explicit StateWriter(SavedState& state) : state_(state) {}
 
+    /// Appends values, one after the other.
     template <class... T>
     void operator()(const T&... values) {
         (write(values), ...);
@@ -114,18 +117,20 @@ class StateWriter {
 /// Takes back what a writer has written, in the same order. Throws StateError for what cannot be.
 class StateReader {
   public:
-    static constexpr bool reads = true;
-
+    /// Reads `state` from its start; it must outlive the reader.
     explicit StateReader(const SavedState& state) : state_(state) {}
 
+    /// Fills values, one after the other.
     template <class... T>
     void operator()(T&... values) {
         (read(values), ...);
     }
+    /// A whole number that must be `most` at most.
     void up_to(std::uint64_t most, std::size_t& value) {
         read(value);
         require(value <= most);
     }
+    /// Makes the list `count` long and fills it.
     template <class T>
     void first(std::size_t count, std::vector<T>& list) {
         require(count <= left());
@@ -134,6 +139,7 @@ class StateReader {
             read(value);
         }
     }
+    /// Fills a list, which must have the length that was written.
     template <class T>
     void each(std::vector<T>& list) {
         const std::size_t size = list.size();

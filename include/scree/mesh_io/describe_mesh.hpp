@@ -16,7 +16,9 @@ struct MeshDescription {
     ConvexHull hull;      ///< coplanar triangles merged
     MassProperties hull_mass;  ///< of the hull
 
+    /// Of the hull.
     [[nodiscard]] int vertices() const { return static_cast<int>(hull.solid.vertices.size()); }
+    /// Of the hull, coplanar triangles merged.
     [[nodiscard]] int faces() const { return hull.solid.face_count(); }
     [[nodiscard]] double hull_volume() const { return hull_mass.volume; }                 ///< [m³]
     [[nodiscard]] double volume_ratio() const { return mass.volume / hull_mass.volume; }  ///< mesh over hull

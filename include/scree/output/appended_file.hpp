@@ -24,7 +24,9 @@ class AppendedFile {
     /// For when nothing more may go wrong.
     void close();
 
+    /// [bytes]
     [[nodiscard]] std::uint64_t size() const { return size_; }
+    /// Where it is.
     [[nodiscard]] const std::filesystem::path& path() const { return file_; }
 
   private:

@@ -16,6 +16,7 @@ class BodiesCsv {
     /// All bodies at one time [s], in scene order.
     void write(double time, std::span<const BodyRecord> bodies);
 
+    /// The file itself, to sync and to close.
     [[nodiscard]] AppendedFile& file() { return csv_.file(); }
 
   private:

@@ -13,7 +13,7 @@ namespace scree {
 
 /// All that a run needs to go on from where it was, in whatever folder it lies.
 struct Checkpoint {
-    static constexpr const char* file_name = "checkpoint.cbor";
+    static constexpr const char* file_name = "checkpoint.cbor";  ///< in a run's folder
 
     std::string scene;                           ///< its text
     std::string scene_file;                      ///< where that was read, for the meshes beside it
@@ -27,6 +27,7 @@ struct Checkpoint {
 /// Bytes that are no checkpoint. The message says what was found and what was expected.
 class CheckpointError : public std::runtime_error {
   public:
+    /// "found FOUND, expected EXPECTED".
     CheckpointError(const std::string& found, const std::string& expected)
         : std::runtime_error("found " + found + ", expected " + expected) {}
 };

@@ -18,6 +18,7 @@ class ContactsCsv {
     void write(double time, std::span<const Contact> contacts, std::span<const ContactResult> results,
                std::span<const std::string> names);
 
+    /// The file itself, to sync and to close.
     [[nodiscard]] AppendedFile& file() { return csv_.file(); }
 
   private:

@@ -20,12 +20,16 @@ class CsvFile {
     CsvFile(const std::filesystem::path& file, std::string_view header,
             std::optional<std::uint64_t> kept = std::nullopt);
 
+    /// The next entry of the row.
     CsvFile& add(double value);
+    /// The next entry of the row, quoted where it must be.
     CsvFile& add(std::string_view word);
+    /// Ends the row at hand.
     void end_row();
     /// Hands all complete rows to the system.
     void flush();
 
+    /// The file itself, to sync and to close.
     [[nodiscard]] AppendedFile& file() { return file_; }
 
   private:

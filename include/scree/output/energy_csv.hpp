@@ -36,6 +36,7 @@ class EnergyCsv {
     /// The ledger as it stands at a time [s].
     void write(double time, const EnergyLedger& ledger);
 
+    /// The file itself, to sync and to close.
     [[nodiscard]] AppendedFile& file() { return csv_.file(); }
 
   private:

@@ -11,6 +11,7 @@ namespace scree {
 /// found, what was expected.
 class OutputError : public std::runtime_error {
   public:
+    /// "FILE: found FOUND, expected EXPECTED".
     OutputError(const std::filesystem::path& file, const std::string& found,
                 const std::string& expected = "to write it");
     /// `why` says what was found and what was expected.
@@ -23,6 +24,7 @@ class OutputError : public std::runtime_error {
 /// The folder that a run writes to.
 class OutputFolder {
   public:
+    /// What becomes of what is there.
     enum class Contents {
         fresh,  ///< the folder is made, and what an earlier run left is cleared away
         kept,   ///< the folder of a run that goes on
@@ -30,7 +32,9 @@ class OutputFolder {
     /// Throws OutputError.
     explicit OutputFolder(std::filesystem::path folder, Contents contents = Contents::fresh);
 
+    /// Where a file of that name is.
     [[nodiscard]] std::filesystem::path file(const std::string& name) const { return folder_ / name; }
+    /// The folder.
     [[nodiscard]] const std::filesystem::path& path() const { return folder_; }
 
   private:

@@ -13,7 +13,7 @@ namespace scree {
 /// in single precision.
 class PoseSpool {
   public:
-    static constexpr const char* file_name = "replay.poses";
+    static constexpr const char* file_name = "replay.poses";  ///< in a run's folder
 
     /// `kept`: goes on with one that is there, after that many bytes. Throws OutputError, as all that writes
     /// or reads does.
@@ -23,11 +23,14 @@ class PoseSpool {
     /// At a time [s], not before the last one.
     void add(double time, std::size_t contacts, std::span<const Pose> poses);
 
+    /// How many times were added.
     [[nodiscard]] std::size_t frames() const { return file_.size() / frame_bytes(); }
-    /// Hands over every `stride`-th frame and the last one, read from the disk one by one.
+    /// Gets one frame: its time [s], how many contacts there were, and the poses.
     using Take = std::function<void(double time, double contacts, std::span<const Pose> poses)>;
+    /// Hands over every `stride`-th frame and the last one, read from the disk one by one.
     void read(std::size_t stride, const Take& take) const;
 
+    /// The file itself, to sync and to close.
     [[nodiscard]] AppendedFile& file() { return file_; }
 
   private:

@@ -9,12 +9,13 @@ namespace scree {
 
 /// A surface to be looked at: three corners a triangle, each with the normal by which it is lit.
 struct ShownMesh {
+    /// Of a triangle.
     struct Corner {
         Vec3 position;  ///< [m]
         Vec3 normal;    ///< unit
     };
-    std::string name;
-    std::vector<Corner> corners;
+    std::string name;             ///< in the file
+    std::vector<Corner> corners;  ///< three a triangle, counter-clockwise seen from outside
 };
 
 /// The part of a half-space that is shown: a square about the foot of a point.
@@ -29,16 +30,17 @@ ShownMesh shown_mesh(const std::string& name, const Shape& shape, const Pose& po
 
 /// A body to be looked at, by the frame of its file.
 struct ShownBody {
-    std::string name;
+    std::string name;      ///< in the file
     std::size_t mesh = 0;  ///< its number
     double size = 1;       ///< factor on the mesh
     bool moves = false;    ///< others stay at their start
-    Pose start;
+    Pose start;            ///< of the file's frame
 };
 
+/// Bodies and their meshes, for replays and pictures.
 struct ShownScene {
-    std::vector<ShownMesh> meshes;
-    std::vector<ShownBody> bodies;
+    std::vector<ShownMesh> meshes;  ///< shared by bodies
+    std::vector<ShownBody> bodies;  ///< in scene order
 };
 
 }  // namespace scree

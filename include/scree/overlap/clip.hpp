@@ -15,8 +15,8 @@ class ClippedSolid {
     /// A face as a run of half-edges.
     struct Face {
         int begin = 0;  ///< of its half-edges
-        int end = 0;
-        int tag = 0;  ///< the face's number in the solid it came from, or the tag of the plane that cut it
+        int end = 0;    ///< one past the last of them
+        int tag = 0;    ///< the face's number in the solid it came from, or the tag of the plane that cut it
     };
 
     /// Starts from a whole polyhedron, in its own frame; its faces are tagged with their numbers.
@@ -26,9 +26,11 @@ class ClippedSolid {
     /// Returns false when nothing is left.
     bool cut(const Plane& plane, int tag);
 
+    /// The faces that are left; valid until the next cut.
     [[nodiscard]] const std::vector<Face>& faces() const { return faces_; }
     /// Half-edges of all faces; `across` is the tag of the face on the other side.
     [[nodiscard]] const std::vector<HalfEdge>& half_edges() const { return half_edges_; }
+    /// The place [m] of a vertex, in the frame of the solid it started from.
     [[nodiscard]] const Vec3& point(int vertex) const { return points_[static_cast<std::size_t>(vertex)]; }
     /// Numbers of the vertices that are left.
     [[nodiscard]] const std::vector<int>& vertices() const { return live_; }

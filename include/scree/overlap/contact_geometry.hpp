@@ -4,8 +4,8 @@
 
 namespace scree {
 
-using Mat6 = Eigen::Matrix<double, 6, 6>;
-using Mat36 = Eigen::Matrix<double, 3, 6>;
+using Mat6 = Eigen::Matrix<double, 6, 6>;   ///< by a motion (u, θ), of a force and a moment
+using Mat36 = Eigen::Matrix<double, 3, 6>;  ///< of a vector by a motion (u, θ)
 
 /// What two overlapping bodies A and B share at given poses: a function of the poses alone. World axes,
 /// origin at the origin of A's shape, so that nothing is lost far from the world's origin.

@@ -20,11 +20,13 @@ struct ContactPoint {
 /// between these shapes at these poses.
 class ContactPoints {
   public:
-    static constexpr std::size_t most = 4;
+    static constexpr std::size_t most = 4;  ///< as many as a manifold of Bullet's has
 
+    /// Chooses the points; a shape's pose places its frame in the world.
     ContactPoints(const Shape& a, const Pose& pose_a, const ContactGeometry& geometry,
                   OverlapWorkspace& workspace, double spacing);
 
+    /// The points, the deepest first.
     [[nodiscard]] std::span<const ContactPoint> points() const { return std::span(points_).first(count_); }
 
   private:

@@ -31,7 +31,8 @@ void visit_state(auto& with, StateOf<FrozenPoint> auto& point) {
 /// over those with δ_i > 0. With the area Lc² each is a spring of stiffness Y Lc/N.
 class FrozenPoints final : public PairGeometry {
   public:
-    static constexpr std::size_t most = 16;
+    static constexpr std::size_t most = 16;  ///< how many points there can be
+    /// Whose planes the points lie against: those of A, or those of B.
     enum class Planes { of_a, of_b };
 
     /// Replaces the points, which share the `area` [m²]. Throws std::invalid_argument for more than `most`.

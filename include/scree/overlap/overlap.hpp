@@ -21,24 +21,25 @@ struct Chord {
     double low = 0;          ///< where it enters, along the normal from there [m]
     double high = 0;         ///< where it leaves [m]
 
+    /// How long [m] the line is inside.
     [[nodiscard]] double depth() const { return high - low; }
 };
 
 /// A face of an overlap.
 struct OverlapSide {
-    Plane plane;
+    Plane plane;  ///< outward, in the frame of what was clipped
     int tag = 0;  ///< of the clipped solid's face
 };
 
 /// Buffers of the overlap computation, one a thread.
 struct OverlapWorkspace {
-    ClippedSolid clipped;
-    std::vector<Plane> planes;
-    std::vector<Chord> chords;
-    PatchOutline outline;
-    std::vector<OverlapSide> sides;
-    ClippedSolid cell;   ///< a part of the clipped solid
-    Pose frame;          ///< of what was clipped last
+    ClippedSolid clipped;            ///< the overlap itself
+    std::vector<Plane> planes;       ///< that cut it
+    std::vector<Chord> chords;       ///< through the corners of the patch
+    PatchOutline outline;            ///< of the overlap along the normal
+    std::vector<OverlapSide> sides;  ///< of the overlap
+    ClippedSolid cell;               ///< a part of the clipped solid
+    Pose frame;                      ///< of what was clipped last
     bool solid = false;  ///< the last overlap left a solid there, all of it but a capsule's round ends
 };
 

@@ -16,8 +16,11 @@ class PairGeometry {
                           OverlapWorkspace& workspace, ContactGeometry& geometry) const = 0;
 
   protected:
+    /// Made by those that derive from it.
     PairGeometry() = default;
+    /// Copied by those that derive from it.
     PairGeometry(const PairGeometry&) = default;
+    /// Likewise.
     PairGeometry& operator=(const PairGeometry&) = default;
 };
 

@@ -12,12 +12,12 @@ namespace scree {
 /// the shares' sum is 1, their first moment 0, and the moment of a spin, Σ share √(‖at‖² + lever²), is ∫‖p−c‖
 /// depth dA/V.
 struct PatchCells {
-    static constexpr std::size_t rings = 4;
+    static constexpr std::size_t rings = 4;                            ///< about the middle cell
     static constexpr std::size_t count = 1 + 3 * rings * (rings + 1);  ///< 1 + 6 + 12 + 18 + 24
 
-    Vec3 axis = Vec3::UnitX();   ///< unit, across the normal
-    std::array<Vec2, count> at;  ///< [m]
-    std::array<double, count> share;
+    Vec3 axis = Vec3::UnitX();        ///< unit, across the normal
+    std::array<Vec2, count> at;       ///< [m]
+    std::array<double, count> share;  ///< of the normal force, dimensionless
     std::array<double, count> lever;  ///< [m], ∫‖p−at‖dA/A of the cell itself
 };
 

@@ -36,8 +36,11 @@ double reach_along(const Shape& shape, const Vec3& direction);
 
 /// Lowest and highest corner [m] of the smallest axis-aligned box that holds the shape at a pose.
 struct Bounds {
-    Vec3 low, high;
+    Vec3 low,  ///< the lowest
+        high;  ///< the highest
 };
+/// In the frame in which the pose is given; of a half-space infinite, but for the side on which an axis
+/// leaves it.
 Bounds bounds(const Shape& shape, const Pose& pose);
 
 }  // namespace scree

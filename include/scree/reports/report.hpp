@@ -9,9 +9,9 @@ namespace scree {
 
 /// What a report is asked for.
 struct ReportRequest {
-    bool accuracy = false;
-    bool stability = false;
-    bool cost = false;
+    bool accuracy = false;          ///< error against run time, by problem and method
+    bool stability = false;         ///< extreme cases, and the greatest stable steps
+    bool cost = false;              ///< by stage, by size, by feature
     bool quick = false;             ///< fewer cases and shorter runs, within five minutes on two cores
     std::filesystem::path out;      ///< the folder to write to
     std::vector<std::string> only;  ///< problems, axes or tables by name; empty: all

@@ -8,9 +8,9 @@ namespace scree {
 
 /// A scene that comes with scree.
 struct ShippedScene {
-    std::string name;
-    std::string purpose;  ///< the first comment of its file
-    std::filesystem::path file;
+    std::string name;            ///< by which `scree run` takes it
+    std::string purpose;         ///< the first comment of its file
+    std::filesystem::path file;  ///< where it is
 };
 
 /// The scenes that come with scree, by name.

@@ -6,7 +6,7 @@ namespace scree {
 
 /// Where a frame is and how it moves, in world axes.
 struct FrameMotion {
-    Pose pose;
+    Pose pose;                             ///< of the frame
     Vec3 velocity = Vec3::Zero();          ///< [m/s], of the frame's origin
     Vec3 angular_velocity = Vec3::Zero();  ///< [rad/s]
 };

@@ -12,7 +12,7 @@ struct FrictionOnset {
     double tangential_damping = 0;        ///< γt; 2 is critical
     double tangential_ratio = 2.0 / 7.0;  ///< Yt/Y
     double youngs_modulus = 1e8;          ///< [Pa]
-    LawOptions law;
+    LawOptions law;                       ///< of the tile on its slope
 };
 
 /// The scene, for a run of `duration` [s] with output times `every` [s]; the tile has sunk in as deep as it
@@ -32,7 +32,7 @@ double onset_spring(const FrictionOnset& onset, double time);
 struct OnsetRun {
     std::vector<double> time;    ///< [s]
     std::vector<double> spring;  ///< over the pull
-    bool slipped = false;
+    bool slipped = false;        ///< the tile was at its limit at some output time
 };
 /// So many output times in each of so many periods 2π/ω. Throws SceneError.
 OnsetRun run_friction_onset(const FrictionOnset& onset, double periods, int samples);

@@ -17,9 +17,9 @@ struct Incline {
     bool turn_ground = false;  ///< the ground is turned under level gravity; false: gravity is turned
     double azimuth = 0;        ///< [rad], of the downhill direction, in the plane of the slope
     double turn = 0;           ///< [rad], of the block about the slope's normal
-    double friction = 0.5;
-    double youngs_modulus = 1e9;  ///< [Pa]
-    double relative_tolerance = 1e-3;
+    double friction = 0.5;     ///< μ
+    double youngs_modulus = 1e9;       ///< [Pa]
+    double relative_tolerance = 1e-3;  ///< rtol
 };
 
 /// The slope [rad] above which a rigid block slides: atan μ.
@@ -34,28 +34,30 @@ SceneDescription incline_scene(const Incline& incline, double slope, double dura
 
 /// What the block did, in the frame of the slope: x downhill, z along its normal.
 struct InclineRun {
-    bool finished = false;
-    std::string message;
-    double acceleration = 0;  ///< downhill [m/s²], mean over the second half of the run
-    double slide = 0;         ///< downhill [m]
-    double drift = 0;         ///< sideways [m]
-    double creep = 0;         ///< largest distance [m] from where it was after a fifth of the run
-    double turn = 0;          ///< [rad], from how it started
-    double seconds = 0;       ///< wall time
-    std::size_t steps = 0;
-    std::size_t newton_iterations = 0;
+    bool finished = false;              ///< to its end
+    std::string message;                ///< why not
+    double acceleration = 0;            ///< downhill [m/s²], mean over the second half of the run
+    double slide = 0;                   ///< downhill [m]
+    double drift = 0;                   ///< sideways [m]
+    double creep = 0;                   ///< largest distance [m] from where it was after a fifth of the run
+    double turn = 0;                    ///< [rad], from how it started
+    double seconds = 0;                 ///< wall time
+    std::size_t steps = 0;              ///< accepted
+    std::size_t newton_iterations = 0;  ///< in all steps
 };
+/// Lets the block go at rest on the slope [rad], for `duration` [s]. Throws SceneError.
 InclineRun run_incline(const Incline& incline, double slope, double duration);
 
 /// The sliding angle [rad] by bisection, to `tolerance` [rad]: the slope at which the block begins to gain
 /// speed in the second half of a run of one second.
 struct MeasuredAngle {
-    double angle = 0;    ///< [rad]
-    double seconds = 0;  ///< wall time
-    std::size_t runs = 0;
-    std::size_t steps = 0;
-    std::size_t newton_iterations = 0;
+    double angle = 0;                   ///< [rad]
+    double seconds = 0;                 ///< wall time
+    std::size_t runs = 0;               ///< of the bisection
+    std::size_t steps = 0;              ///< accepted, of all runs
+    std::size_t newton_iterations = 0;  ///< of all runs
 };
+/// Looks about sliding_angle(). Throws SceneError.
 MeasuredAngle measure_sliding_angle(const Incline& incline, double tolerance);
 
 }  // namespace scree

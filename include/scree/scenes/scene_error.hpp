@@ -9,6 +9,7 @@ namespace scree {
 class SceneError : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;
+    /// "PLACE: found FOUND, expected EXPECTED".
     SceneError(const std::string& place, const std::string& found, const std::string& expected)
         : SceneError((place.empty() ? "" : place + ": ") + "found " + found + ", expected " + expected) {}
 

@@ -19,16 +19,17 @@ class Engine;
 
 /// A body of a running scene.
 struct SimulationBody {
-    std::string name;
-    std::string material;
-    std::string shape;  ///< its name
-    double size = 1;    ///< factor on that
-    Solid solid;
-    FrameMotion start;  ///< of the file's frame, at time 0, as the scene has it
-    MotionDescription motion;
+    std::string name;                                 ///< unique in the scene
+    std::string material;                             ///< its name
+    std::string shape;                                ///< its name
+    double size = 1;                                  ///< factor on that
+    Solid solid;                                      ///< of the body, its size included
+    FrameMotion start;                                ///< of the file's frame, at time 0, as the scene has it
+    MotionDescription motion;                         ///< as the scene has it
     std::unique_ptr<const PrescribedPath> file_path;  ///< of the file's frame; null: not prescribed
-    std::unique_ptr<btRigidBody> rigid;
+    std::unique_ptr<btRigidBody> rigid;               ///< in Bullet's world
 
+    /// Whether forces move it.
     [[nodiscard]] bool dynamic() const { return std::holds_alternative<DynamicMotion>(motion); }
 };
 
@@ -41,10 +42,13 @@ class Simulation {
     Simulation(const Simulation&) = delete;
     Simulation& operator=(const Simulation&) = delete;
 
+    /// As it was given.
     [[nodiscard]] const SceneDescription& scene() const { return scene_; }
+    /// When it writes, and where its ticks end.
     [[nodiscard]] const OutputTimes& times() const { return times_; }
     /// The world that it is in; throws std::logic_error when Bullet's own solver steps the scene.
     [[nodiscard]] DynamicsWorld& world();
+    /// The same.
     [[nodiscard]] const DynamicsWorld& world() const;
 
     /// What was done so far. Of what Bullet's own solver does not know the entries are zero.
@@ -52,6 +56,7 @@ class Simulation {
     /// The pairs that may touch and what each did in the last step; bodies are numbered in scene order. Of
     /// Bullet's own solver one entry a pair that touches, without volume and area.
     [[nodiscard]] std::span<const Contact> contacts() const;
+    /// One a contact, in the same order.
     [[nodiscard]] std::span<const ContactResult> contact_results() const;
 
     /// In scene order, those of `fill` after those of `bodies`.
@@ -73,6 +78,7 @@ class Simulation {
     /// How many threads share out the work; 1 at first, and always of Bullet's own solver. The results are
     /// the same bytes for any number.
     void set_threads(std::size_t threads);
+    /// As set.
     [[nodiscard]] std::size_t threads() const;
 
     /// All that the rest of the run depends on.

@@ -12,8 +12,8 @@ namespace scree {
 
 /// A convex part of a solid.
 struct SolidPart {
-    std::shared_ptr<const Shape> shape;
-    Vec3 position = Vec3::Zero();  ///< of its frame in the body's [m]; the axes are the body's
+    std::shared_ptr<const Shape> shape;  ///< in its own frame
+    Vec3 position = Vec3::Zero();        ///< of its frame in the body's [m]; the axes are the body's
 };
 
 /// A shape of a scene, ready to become bodies. The body's frame has the mass centre as origin and principal

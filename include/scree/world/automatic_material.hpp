@@ -23,21 +23,23 @@ double resting_volume(const Shape& shape, double depth);
 
 /// What Bullet knows of a body's surface.
 struct SurfaceProperties {
-    double friction = 0;
-    double restitution = 0;
+    double friction = 0;          ///< μ
+    double restitution = 0;       ///< e
     double rolling_friction = 0;  ///< [m], the largest rolling moment over the normal force
     double stiffness = std::numeric_limits<double>::infinity();  ///< [N/m]; infinite: not set
     double damping = 0;                                          ///< [N s/m], where the stiffness is set
 
+    /// Equal in every property.
     bool operator==(const SurfaceProperties&) const = default;
 };
+/// As set on a Bullet object.
 SurfaceProperties surface_properties(const btCollisionObject& object);
 
 /// What is known of a body that was given no material.
 struct UnnamedBody {
-    double mass = 0;    ///< [kg]; infinite: forces do not move it
-    double radius = 0;  ///< ℓ [m], of the sphere of the body's volume
-    SurfaceProperties surface;
+    double mass = 0;            ///< [kg]; infinite: forces do not move it
+    double radius = 0;          ///< ℓ [m], of the sphere of the body's volume
+    SurfaceProperties surface;  ///< as Bullet has it
 };
 
 /// A Young's modulus with which the body, resting on one of its faces under its own weight, sinks in by 10⁻⁴

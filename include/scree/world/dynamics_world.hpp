@@ -63,6 +63,7 @@ class DynamicsWorld : public btDiscreteDynamicsWorld {
     /// Overrides the mixing rules: called with the two materials, in the order of the bodies.
     using Mixing =
         std::function<PairMaterial(const btRigidBody&, const Material&, const btRigidBody&, const Material&)>;
+    /// Takes effect with the next tick; an empty one: the mixing rules.
     void set_mixing(Mixing mixing);
 
     /// From the next tick on a body moves along a path, whatever forces and Bullet say; its pose and
@@ -130,22 +131,29 @@ class DynamicsWorld : public btDiscreteDynamicsWorld {
     void addConstraint(btTypedConstraint* constraint, bool disable_collisions = false) override;
     /// There is no solver of constraints: throws std::logic_error.
     void solveConstraints(btContactSolverInfo& info) override;
-    /// Refuses shapes that have no overlap: throws std::invalid_argument, and the body is not added.
+    /// Refuses shapes that have no overlap, and Bullet's additional damping: throws std::invalid_argument,
+    /// and the body is not added.
     void addRigidBody(btRigidBody* body) override;
+    /// The same, with a filter group and mask.
     void addRigidBody(btRigidBody* body, int group, int mask) override;
+    /// What was set for the body, and what its contacts remember, is forgotten.
     void removeRigidBody(btRigidBody* body) override;
     /// A plain collision object is a fixed body, and one without contact response no body at all. Soft bodies
     /// and multibodies are refused.
     void addCollisionObject(btCollisionObject* object, int group = btBroadphaseProxy::StaticFilter,
                             int mask = btBroadphaseProxy::AllFilter ^
                                        btBroadphaseProxy::StaticFilter) override;
+    /// As removeRigidBody, whatever the object.
     void removeCollisionObject(btCollisionObject* object) override;
+    /// With bounds that hold the exact shapes.
     void updateAabbs() override;
     /// For sleeping bodies too, so that they have it when they wake up in the middle of stepSimulation.
     void applyGravity() override;
 
   protected:
+    /// One tick [s]: detect, step the groups, write back.
     void internalSingleStepSimulation(btScalar tick) override;
+    /// As Bullet's, for a tick [s]; from it come the velocities of kinematic bodies.
     void saveKinematicState(btScalar time) override;
 
   private:
