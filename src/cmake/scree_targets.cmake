@@ -4,12 +4,27 @@ configure_file(${PROJECT_SOURCE_DIR}/include/scree/version.hpp.in
     ${PROJECT_BINARY_DIR}/include/scree/version.hpp @ONLY)
 set(SCREE_COMPONENTS "")  # the libraries that exist, in order of dependence
 
-# scree_library(<name> FOLDERS <folder>... [PUBLIC <target>...] [PRIVATE <target>...] [PCH <header>...])
-# A library whose folders hold no source yet is skipped, and so are links to it.
+# Sets `result` to whether all of the named packages and targets of ours are there.
+function(scree_has result)
+    set(${result} TRUE PARENT_SCOPE)
+    foreach(need IN LISTS ARGN)
+        if(need IN_LIST SCREE_LACKS OR (need MATCHES "^scree_" AND NOT TARGET ${need}))
+            set(${result} FALSE PARENT_SCOPE)
+        endif()
+    endforeach()
+endfunction()
+
+# scree_library(<name> FOLDERS <folder>... [NEEDS <package or target>...] [PUBLIC <target>...] [PRIVATE <target>...]
+#               [PCH <header>...])
+# A library that lacks what it needs, or whose folders are not built, is skipped, and so are links to it.
 function(scree_library name)
-    cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "FOLDERS;PUBLIC;PRIVATE;PCH")
+    cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "FOLDERS;NEEDS;PUBLIC;PRIVATE;PCH")
     scree_glob(sources ${PROJECT_SOURCE_DIR}/src *.cpp ${arg_FOLDERS})
-    if(NOT sources)
+    scree_has(complete ${arg_NEEDS})
+    if(sources AND NOT complete)
+        message(STATUS "scree: left out ${name}, for want of ${SCREE_LACKS}")
+    endif()
+    if(NOT sources OR NOT complete)
         return()
     endif()
     add_library(scree_${name} ${sources})
@@ -40,11 +55,11 @@ endfunction()
 set(eigen_pch <Eigen/Core> <Eigen/Geometry> <vector> <string>)
 scree_library(core FOLDERS mesh overlap contact dynamics bdf
     PUBLIC Eigen3::Eigen PRIVATE Qhull::qhull_r PCH ${eigen_pch})
-scree_library(world FOLDERS detect world
+scree_library(world FOLDERS detect world NEEDS scree_core Bullet
     PUBLIC scree::core scree::bullet PCH ${eigen_pch} <btBulletDynamicsCommon.h>)
-scree_library(mesh_io FOLDERS mesh_io
+scree_library(mesh_io FOLDERS mesh_io NEEDS scree_core assimp
     PUBLIC scree::core PRIVATE assimp::assimp)
-scree_library(output FOLDERS output
+scree_library(output FOLDERS output NEEDS scree_core assimp nlohmann_json xxHash
     PUBLIC scree::core PRIVATE assimp::assimp nlohmann_json::nlohmann_json PCH ${eigen_pch})
 if(TARGET scree_output)
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/output/page.html)
@@ -53,7 +68,7 @@ if(TARGET scree_output)
         ${PROJECT_BINARY_DIR}/generated/output/page_template.hpp @ONLY)
     target_include_directories(scree_output PRIVATE ${PROJECT_BINARY_DIR}/generated/output)
 endif()
-scree_library(scenes FOLDERS scenes
+scree_library(scenes FOLDERS scenes NEEDS scree_world scree_mesh_io nlohmann_json
     PUBLIC scree::world scree::mesh_io nlohmann_json::nlohmann_json
     PCH ${eigen_pch} <btBulletDynamicsCommon.h> <nlohmann/json.hpp>)
 if(TARGET scree_scenes AND TARGET scree::hacd)
@@ -66,7 +81,7 @@ endif()
 set_source_files_properties(${PROJECT_SOURCE_DIR}/src/scenes/find_scene.cpp PROPERTIES
     COMPILE_DEFINITIONS SCREE_SOURCE_DIR="${PROJECT_SOURCE_DIR}" SKIP_PRECOMPILE_HEADERS ON)
 
-scree_library(reports FOLDERS reports
+scree_library(reports FOLDERS reports NEEDS scree_scenes scree_output
     PUBLIC scree::scenes scree::output
     PCH ${eigen_pch} <btBulletDynamicsCommon.h>)
 if(TARGET scree_reports)
@@ -92,7 +107,8 @@ if(TARGET scree_reports)
 endif()
 
 scree_glob(program_sources ${PROJECT_SOURCE_DIR}/src *.cpp cli)
-if(program_sources)
+scree_has(complete scree_reports CLI11)
+if(program_sources AND complete)
     add_executable(scree_program ${program_sources})
     set_target_properties(scree_program PROPERTIES OUTPUT_NAME scree)
     scree_settings(scree_program)
