@@ -8,11 +8,11 @@
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
-#include <fstream>
 #include <numbers>
 #include <stdexcept>
 #include <string>
 
+#include <demos/table_and_picture.hpp>
 #include <scree/scenes/friction_onset.hpp>
 #include <scree/scenes/read_scene.hpp>
 #include <scree/scenes/simulation.hpp>
@@ -24,16 +24,6 @@ using Settings = std::vector<std::string>;
 
 constexpr double pi = std::numbers::pi;
 constexpr double gravity = 9.81;
-
-std::ofstream table(const fs::path& file, const std::string& header) {
-    std::ofstream stream(file);
-    if (!stream) {
-        throw std::runtime_error("cannot write " + file.string());
-    }
-    stream.precision(6);
-    stream << header << "\n";
-    return stream;
-}
 
 void advance(scree::Simulation& simulation) {
     if (!simulation.advance()) {
@@ -116,7 +106,7 @@ struct Creep {
 };
 
 // A cube on a slope of half its friction's, stepped explicitly with a fortieth of its own period.
-Creep creep(double edge, const std::string& stiffness) {
+scree::SceneDescription creep_scene(double edge, const std::string& stiffness) {
     const double modulus = 1e7;
     const double mass = 2600 * std::pow(edge, 3);
     const double length = 2 * std::cbrt(3 / (4 * pi)) * edge;
@@ -136,7 +126,11 @@ Creep creep(double edge, const std::string& stiffness) {
     scene.stepping.step = step;
     scene.end_time = 4000 * step;
     scene.output.every = 20 * step;
-    scree::Simulation simulation(scene);
+    return scene;
+}
+
+Creep creep(double edge, const std::string& stiffness) {
+    scree::Simulation simulation(creep_scene(edge, stiffness));
     Creep creep;
     scree::Vec3 middle = scree::Vec3::Zero();
     while (simulation.tick() < simulation.times().last()) {
@@ -148,7 +142,7 @@ Creep creep(double edge, const std::string& stiffness) {
         creep.slip += !results.empty() && results[0].law.state == scree::ContactState::slip ? 1.0 / 200 : 0;
     }
     const scree::Vec3 way = simulation.body_motion(1).pose.position - middle;
-    creep.way = way.head<2>().norm() / edge / (scene.end_time / 2);
+    creep.way = way.head<2>().norm() / edge / (simulation.scene().end_time / 2);
     return creep;
 }
 
@@ -170,21 +164,6 @@ void write_length(const fs::path& file) {
     }
 }
 
-std::string quoted(const fs::path& path) {
-    return "\"" + path.string() + "\"";
-}
-
-void draw(const fs::path& out) {
-    const fs::path script = fs::path(SCREE_SOURCE_DIR) / "demos/caveats/caveats.gp";
-    const fs::path picture = out / "caveats.svg";
-    const std::string command = "gnuplot -c " + quoted(script) + " " + quoted(out) + " " + quoted(picture);
-    if (std::system("gnuplot --version >/dev/null 2>&1") != 0) {
-        std::printf("no picture: gnuplot is not installed\n");
-    } else if (std::system(command.c_str()) == 0) {
-        std::printf("picture: %s\n", picture.c_str());
-    }
-}
-
 }  // namespace
 
 int main(int argc, char** argv) try {
@@ -194,7 +173,7 @@ int main(int argc, char** argv) try {
     write_noise(out / "noise.csv");
     write_length(out / "length.csv");
     std::printf("\ntables: %s\n", out.c_str());
-    draw(out);
+    draw("caveats", out);
     return EXIT_SUCCESS;
 } catch (const std::exception& error) {
     std::fprintf(stderr, "caveats: %s\n", error.what());

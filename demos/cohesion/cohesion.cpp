@@ -19,6 +19,14 @@ constexpr double gravity = 9.81;
 constexpr double tick = 0.01;
 constexpr int ticks = 50;
 
+// Gravity goes from one value to another [m/s²], slowly, so that nothing swings.
+void run(scree::DynamicsWorld& world, double from, double to) {
+    for (int i = 1; i <= ticks; ++i) {
+        world.setGravity({0, 0, from + (to - from) * i / ticks});
+        world.stepSimulation(tick, 0);
+    }
+}
+
 // How far the topmost of a number of cubes has come down after they were let hang for half a second [m].
 double sunk(int count, double strength) {
     btDefaultCollisionConfiguration configuration;
@@ -45,21 +53,14 @@ double sunk(int count, double strength) {
     clay.density = mass / std::pow(edge, 3);
     clay.youngs_modulus = 1e9;
     clay.friction = 0.5;
-    // Gravity goes from one value to another [m/s²], slowly, so that nothing swings.
-    const auto run = [&](double from, double to) {
-        for (int i = 1; i <= ticks; ++i) {
-            world.setGravity({0, 0, from + (to - from) * i / ticks});
-            world.stepSimulation(tick, 0);
-        }
-    };
     for (const auto& body : bodies) {
         world.addRigidBody(body.get());
         world.set_material(*body, clay);
     }
-    run(0, gravity);
+    run(world, 0, gravity);
     const double height = bodies[1]->getWorldTransform().getOrigin().z();
-    run(gravity, -gravity);
-    run(-gravity, -gravity);
+    run(world, gravity, -gravity);
+    run(world, -gravity, -gravity);
     const double fallen = height - bodies[1]->getWorldTransform().getOrigin().z();
     for (const auto& body : bodies) {
         world.removeRigidBody(body.get());

@@ -8,11 +8,10 @@
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
-#include <fstream>
 #include <numbers>
-#include <stdexcept>
 #include <string>
 
+#include <demos/table_and_picture.hpp>
 #include <scree/scenes/friction_onset.hpp>
 
 namespace {
@@ -20,16 +19,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double dampings[] = {0, 0.5, 2};  // γt
-
-std::ofstream table(const fs::path& file, const std::string& header) {
-    std::ofstream stream(file);
-    if (!stream) {
-        throw std::runtime_error("cannot write " + file.string());
-    }
-    stream.precision(6);
-    stream << header << "\n";
-    return stream;
-}
 
 // The force of the spring over the pull against time in periods, as it came out and exact. Returns the
 // largest deviation.
@@ -72,10 +61,6 @@ double write_delay(const fs::path& file) {
     return worst;
 }
 
-std::string quoted(const fs::path& path) {
-    return "\"" + path.string() + "\"";
-}
-
 }  // namespace
 
 int main(int argc, char** argv) try {
@@ -88,14 +73,7 @@ int main(int argc, char** argv) try {
         "closed form; carries the tile after (pi/2) sqrt(m/kt), within %.1e of it\n",
         onset_error, delay_error);
     std::printf("tables: %s\n", out.c_str());
-    const fs::path script = fs::path(SCREE_SOURCE_DIR) / "demos/friction_onset/friction_onset.gp";
-    const fs::path picture = out / "friction_onset.svg";
-    const std::string draw = "gnuplot -c " + quoted(script) + " " + quoted(out) + " " + quoted(picture);
-    if (std::system("gnuplot --version >/dev/null 2>&1") != 0) {
-        std::printf("no picture: gnuplot is not installed\n");
-    } else if (std::system(draw.c_str()) == 0) {
-        std::printf("picture: %s\n", picture.c_str());
-    }
+    draw("friction_onset", out);
     return onset_error < 0.02 && delay_error < 0.01 ? EXIT_SUCCESS : EXIT_FAILURE;
 } catch (const std::exception& error) {
     std::fprintf(stderr, "friction_onset: %s\n", error.what());

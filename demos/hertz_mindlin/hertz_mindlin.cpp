@@ -30,6 +30,21 @@ struct Collision {
     btVector3 before, after;
 };
 
+// Steps until the spheres have touched and parted.
+void watch(scree::DynamicsWorld& world, Collision& seen) {
+    const double tick = 1e-6;
+    for (bool touched = false; world.step_report().time < 1 && !world.step_report().failed;) {
+        world.stepSimulation(tick, 0);
+        const bool touching = world.step_report().contacts > 0;
+        seen.duration += touching ? tick : 0;
+        seen.depth = touching ? std::max(seen.depth, world.contact_results()[0].depth) : seen.depth;
+        if (touched && !touching) {
+            break;
+        }
+        touched = touched || touching;
+    }
+}
+
 // Two spheres fly at each other with relative velocity (along, 0, -across) [m/s], so that they meet one above
 // the other.
 Collision collide(const scree::ElasticSpheres& law, double across, double along) {
@@ -61,17 +76,7 @@ Collision collide(const scree::ElasticSpheres& law, double across, double along)
 
     Collision seen;
     seen.before = upper.getLinearVelocity() - lower.getLinearVelocity();
-    const double tick = 1e-6;
-    for (bool touched = false; world.step_report().time < 1 && !world.step_report().failed;) {
-        world.stepSimulation(tick, 0);
-        const bool touching = world.step_report().contacts > 0;
-        seen.duration += touching ? tick : 0;
-        seen.depth = touching ? std::max(seen.depth, world.contact_results()[0].depth) : seen.depth;
-        if (touched && !touching) {
-            break;
-        }
-        touched = touched || touching;
-    }
+    watch(world, seen);
     seen.after = upper.getLinearVelocity() - lower.getLinearVelocity();
     for (btRigidBody* body : {&upper, &lower}) {
         world.removeRigidBody(body);

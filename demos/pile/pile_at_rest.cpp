@@ -66,13 +66,9 @@ double outside(const scree::Simulation& simulation) {
     return farthest;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) try {
-    const std::filesystem::path file =
-        argc > 1 ? argv[1] : std::filesystem::path(SCREE_SOURCE_DIR) / "demos/pile/scene.json";
+// Runs to the end and says every tenth of the time how it is getting on.
+void settle(scree::Simulation& simulation) {
     const auto start = std::chrono::steady_clock::now();
-    scree::Simulation simulation(scree::read_scene(file));
     std::printf("%8s %8s %10s %12s %14s %12s\n", "time [s]", "steps", "contacts", "its/step", "fastest [m/s]",
                 "wall [s]");
     std::size_t steps = 0;
@@ -93,6 +89,10 @@ int main(int argc, char** argv) try {
         steps = report.steps.accepted;
         iterations = report.steps.newton.iterations;
     }
+}
+
+// Whether the stones rest, forces balance and none has got out.
+bool judge(const scree::Simulation& simulation) {
     const scree::StepReport& report = simulation.report();
     const double speed = fastest(simulation);
     const double balance = imbalance(simulation.world());
@@ -102,7 +102,17 @@ int main(int argc, char** argv) try {
     if (report.failed) {
         std::printf("stopped: %s\n", report.message.c_str());
     }
-    return !report.failed && speed < 1e-5 && balance < 1e-3 && beyond < 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+    return !report.failed && speed < 1e-5 && balance < 1e-3 && beyond < 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) try {
+    const std::filesystem::path file =
+        argc > 1 ? argv[1] : std::filesystem::path(SCREE_SOURCE_DIR) / "demos/pile/scene.json";
+    scree::Simulation simulation(scree::read_scene(file));
+    settle(simulation);
+    return judge(simulation) ? EXIT_SUCCESS : EXIT_FAILURE;
 } catch (const std::exception& error) {
     std::fprintf(stderr, "pile_at_rest: %s\n", error.what());
     return 2;

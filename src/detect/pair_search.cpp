@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <mutex>
 
 #include <BulletCollision/BroadphaseCollision/btDbvtBroadphase.h>
 
@@ -17,25 +16,19 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double fatness = 0.05;  // of a body's radius, by which Bullet's tree may enlarge its box
 
-// Bullet's tree enlarges boxes by a length of its own, a global one that suits bodies of a metre.
-class TreeMargin {
-  public:
-    TreeMargin() : lock_(mutex()), kept_(gDbvtMargin) {}
-    ~TreeMargin() { gDbvtMargin = kept_; }
-    TreeMargin(const TreeMargin&) = delete;
-    TreeMargin& operator=(const TreeMargin&) = delete;
-
-    static void set(double margin) { gDbvtMargin = margin; }
-
-  private:
-    // One for all worlds, which may live in threads of their own.
-    static std::mutex& mutex() {
-        static std::mutex only;
-        return only;
+// Bullet's tree enlarges a box that has left its old one by a global length, which suits bodies of a metre;
+// here it is handed the larger box, `margin` [m] around, at once.
+void put_in_tree(btDbvtBroadphase& tree, btBroadphaseProxy& proxy, const btVector3& low,
+                 const btVector3& high, double margin, btDispatcher* dispatcher) {
+    if (static_cast<btDbvtProxy&>(proxy).leaf->volume.Contain(btDbvtVolume::FromMM(low, high))) {
+        tree.setAabb(&proxy, low, high, dispatcher);
+        return;
     }
-    std::lock_guard<std::mutex> lock_;
-    btScalar kept_;
-};
+    const btVector3 around(margin, margin, margin);
+    tree.setAabbForceUpdate(&proxy, low - around, high + around, dispatcher);
+    proxy.m_aabbMin = low;
+    proxy.m_aabbMax = high;
+}
 
 // Bullet's filter, but for that it leaves out pairs that both rest: their contacts live on here.
 bool want_contact(btDispatcher& dispatcher, const btCollisionObject& a, const btCollisionObject& b) {
@@ -59,6 +52,11 @@ bool same(const btVector3& a, const btVector3& b) {
     return to_eigen(a) == to_eigen(b);
 }
 
+// Bullet's trees take no infinities.
+btVector3 finite(const Vec3& corner) {
+    return to_bullet(corner.cwiseMax(-BT_LARGE_FLOAT).cwiseMin(BT_LARGE_FLOAT));
+}
+
 }  // namespace
 
 const std::vector<PartPair>& PairSearch::find(btCollisionWorld& world, std::span<const SearchBody> bodies) {
@@ -79,22 +77,25 @@ const std::vector<PartPair>& PairSearch::find(btCollisionWorld& world, std::span
 }
 
 void PairSearch::place(btCollisionWorld& world, std::span<const SearchBody> bodies) {
-    const TreeMargin margin;
+    btBroadphaseInterface& broadphase = *world.getBroadphase();
+    auto* const tree = dynamic_cast<btDbvtBroadphase*>(&broadphase);
     parts_.clear();
     first_part_.clear();
     for (const SearchBody& body : bodies) {
         const Bounds box = place_parts(body);
-        // Bullet's trees take no infinities.
-        const auto finite = [](const Vec3& v) -> btVector3 {
-            return to_bullet(v.cwiseMax(-BT_LARGE_FLOAT).cwiseMin(BT_LARGE_FLOAT));
-        };
         const double around = body.reach + body.skin;
         const btVector3 low = finite(box.low.array() - around);
         const btVector3 high = finite(box.high.array() + around);
-        btBroadphaseProxy* proxy = body.object->getBroadphaseHandle();
-        if (!same(low, proxy->m_aabbMin) || !same(high, proxy->m_aabbMax)) {
-            TreeMargin::set(std::isfinite(body.shape->radius) ? fatness * body.shape->radius : 0);
-            world.getBroadphase()->setAabb(proxy, low, high, world.getDispatcher());
+        btBroadphaseProxy& proxy = *body.object->getBroadphaseHandle();
+        if (same(low, proxy.m_aabbMin) && same(high, proxy.m_aabbMax)) {
+            continue;
+        }
+        if (tree != nullptr) {
+            const double radius = body.shape->radius;
+            put_in_tree(*tree, proxy, low, high, std::isfinite(radius) ? fatness * radius : 0,
+                        world.getDispatcher());
+        } else {
+            broadphase.setAabb(&proxy, low, high, world.getDispatcher());
         }
     }
 }

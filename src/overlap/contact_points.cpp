@@ -100,6 +100,20 @@ class Spread {
     std::size_t count_ = 0;
 };
 
+/// The corner that adds most of those that are deep enough; null: none adds anything.
+const Chord* widest_of(const std::vector<Chord>& corners, double least, const Spread& spread) {
+    const Chord* widest = nullptr;
+    double gain = 0;
+    for (const Chord& corner : corners) {
+        const double own = corner.depth() < least ? -1 : spread.gain(corner.at);
+        if (own > gain * (1 + 1e-9)) {
+            gain = own;
+            widest = &corner;
+        }
+    }
+    return widest;
+}
+
 }  // namespace
 
 ContactPoints::ContactPoints(const Shape& a, const Pose& pose_a, const ContactGeometry& geometry,
@@ -151,15 +165,7 @@ void ContactPoints::add_corners(const Pose& pose_a, const ContactGeometry& g, Ov
     };
     take(deepest);
     while (count_ < most) {
-        const Chord* widest = nullptr;
-        double gain = 0;
-        for (const Chord& corner : corners) {
-            const double own = corner.depth() < least_depth * deepest.depth() ? -1 : spread.gain(corner.at);
-            if (own > gain * (1 + 1e-9)) {
-                gain = own;
-                widest = &corner;
-            }
-        }
+        const Chord* const widest = widest_of(corners, least_depth * deepest.depth(), spread);
         if (widest == nullptr) {
             return;
         }

@@ -120,6 +120,29 @@ bool overlap_nearest(const Sphere& a, const Pose& pose_a, const Capsule& b, cons
     return near_solid(a, pose_a, b, b.half_length + b.radius, pose_b, g);
 }
 
+namespace {
+
+// The plane of the circle where two spheres meet, at `to_plane` from A's centre, parts the lens into two
+// caps. `turning`: d(normal) by a translation of A.
+void fill_lens(double radius_a, double radius_b, double distance, const Mat3& turning, ContactGeometry& g) {
+    const double difference = (radius_a - radius_b) * (radius_a + radius_b) / distance;
+    const double to_plane = 0.5 * (distance + difference);
+    const Cap of_a(radius_a, radius_a - to_plane);
+    const Cap of_b(radius_b, radius_b - (distance - to_plane));
+    const Mat3 along = g.normal * g.normal.transpose();
+    g.volume = of_a.volume + of_b.volume;
+    const double beyond = (of_a.volume * of_a.centroid - of_b.volume * of_b.centroid) / g.volume;
+    g.centroid = -(to_plane + beyond) * g.normal;
+    g.area = pi * (radius_a - to_plane) * (radius_a + to_plane);
+    g.area_vector = -g.area * g.normal;
+    // A's cap and its flat disc enclose of_a.volume; the disc, facing A, takes its share of ∫ r nᵀ away.
+    g.first_moment = of_a.volume * Mat3::Identity() - g.area * beyond * along;
+    const double area_rate = -pi * to_plane * (1 - difference / distance);
+    follow_centre(g, -area_rate * along - g.area * turning, turning);
+}
+
+}  // namespace
+
 bool overlap_lens(const Sphere& a, const Pose& pose_a, const Sphere& b, const Pose& pose_b,
                   ContactGeometry& g) {
     const Vec3 apart = pose_a.position - pose_b.position;
@@ -141,21 +164,7 @@ bool overlap_lens(const Sphere& a, const Pose& pose_a, const Sphere& b, const Po
         follow_centre(g, Mat3::Zero(), turning);
         return true;
     }
-    // The plane of the circle where the spheres meet, at `to_plane` from A's centre, parts the lens into two
-    // caps.
-    const double difference = (a.radius - b.radius) * (a.radius + b.radius) / distance;
-    const double to_plane = 0.5 * (distance + difference);
-    const Cap of_a(a.radius, a.radius - to_plane);
-    const Cap of_b(b.radius, b.radius - (distance - to_plane));
-    g.volume = of_a.volume + of_b.volume;
-    const double beyond = (of_a.volume * of_a.centroid - of_b.volume * of_b.centroid) / g.volume;
-    g.centroid = -(to_plane + beyond) * g.normal;
-    g.area = pi * (a.radius - to_plane) * (a.radius + to_plane);
-    g.area_vector = -g.area * g.normal;
-    // A's cap and its flat disc enclose of_a.volume; the disc, facing A, takes its share of ∫ r nᵀ away.
-    g.first_moment = of_a.volume * Mat3::Identity() - g.area * beyond * along;
-    const double area_rate = -pi * to_plane * (1 - difference / distance);
-    follow_centre(g, -area_rate * along - g.area * turning, turning);
+    fill_lens(a.radius, b.radius, distance, turning, g);
     return true;
 }
 

@@ -129,6 +129,47 @@ Row accuracy_row(const Problem& problem, const MethodChoice& method, const Refer
     return answer.done ? answer.row : unfinished_row(problem, method, "ended", answer.message);
 }
 
+namespace {
+
+/// What is not yet in the table of the runs that a problem's outcome is taken from.
+void add_references(const Problem& problem, const std::shared_ptr<Table>& references, const Budget& budget,
+                    std::vector<Case>& cases) {
+    for (const MethodChoice& method : problem.references) {
+        if (references->has(row_keys(problem, method))) {
+            continue;
+        }
+        cases.push_back({"reference for " + problem.name + ": " + method.text(), [=] {
+                             const Isolated answer =
+                                 isolated_row([&] { return reference_row(problem, method, budget); }, budget);
+                             Row row = row_keys(problem, method);
+                             row.insert(row.end(), {answer.message, "", ""});
+                             references->add(answer.done ? answer.row : row);
+                         }});
+    }
+}
+
+/// What is not yet in the table of the methods that are held against that.
+void add_methods(const Problem& problem, const std::vector<MethodChoice>& methods,
+                 const std::shared_ptr<Table>& table, const std::shared_ptr<Table>& references,
+                 const Budget& budget, std::vector<Case>& cases) {
+    for (const MethodChoice& method : methods) {
+        if (table->has(row_keys(problem, method))) {
+            continue;
+        }
+        cases.push_back(
+            {problem.name + ": " + method.text(), [=] {
+                 if (hopeless(problem, method, methods, *table)) {
+                     table->add(unfinished_row(problem, method, "not run", "a coarser one took too long"));
+                     return;
+                 }
+                 const Reference reference = reference_of(problem, *references);
+                 table->add(accuracy_row(problem, method, reference, budget));
+             }});
+    }
+}
+
+}  // namespace
+
 std::vector<Case> accuracy_cases(const ReportRequest& request) {
     const double seconds = request.quick ? 0.7 : 6;
     const Budget patient{request.quick ? 20.0 : 120.0};
@@ -136,35 +177,10 @@ std::vector<Case> accuracy_cases(const ReportRequest& request) {
     const auto references = std::make_shared<Table>(reference_table(request.out));
     std::vector<Case> cases;
     for (const Problem& problem : accuracy_problems(request.quick)) {
-        if (!wanted(request, problem.name)) {
-            continue;
-        }
-        for (const MethodChoice& method : problem.references) {
-            if (!references->has(row_keys(problem, method))) {
-                cases.push_back({"reference for " + problem.name + ": " + method.text(), [=] {
-                                     const Isolated answer = isolated_row(
-                                         [&] { return reference_row(problem, method, patient); }, patient);
-                                     Row row = row_keys(problem, method);
-                                     row.insert(row.end(), {answer.message, "", ""});
-                                     references->add(answer.done ? answer.row : row);
-                                 }});
-            }
-        }
-        const Budget budget{(problem.chaotic ? 6 : 1) * seconds};
-        const std::vector<MethodChoice> methods = accuracy_methods(problem, request.quick);
-        for (const MethodChoice& method : methods) {
-            if (table->has(row_keys(problem, method))) {
-                continue;
-            }
-            cases.push_back({problem.name + ": " + method.text(), [=] {
-                                 if (hopeless(problem, method, methods, *table)) {
-                                     table->add(unfinished_row(problem, method, "not run",
-                                                               "a coarser one took too long"));
-                                     return;
-                                 }
-                                 const Reference reference = reference_of(problem, *references);
-                                 table->add(accuracy_row(problem, method, reference, budget));
-                             }});
+        if (wanted(request, problem.name)) {
+            const Budget budget{(problem.chaotic ? 6 : 1) * seconds};
+            add_references(problem, references, patient, cases);
+            add_methods(problem, accuracy_methods(problem, request.quick), table, references, budget, cases);
         }
     }
     return cases;

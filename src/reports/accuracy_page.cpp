@@ -109,8 +109,7 @@ void add_pictures(const std::filesystem::path& folder, const Problem& problem, c
 std::string reference_text(const Problem& problem, const Reference& reference) {
     if (!reference.known()) {
         return "The methods that were to agree on the model's outcome did not finish, so that numerical "
-               "errors are not "
-               "known.";
+               "errors are not known.";
     }
     const std::string source =
         problem.model

@@ -76,6 +76,27 @@ class Tables {
     ContactsCsv contacts_;
 };
 
+/// Steps and, where there are tables, writes to the end or until the time is up. Returns the seconds.
+double measure(Simulation& simulation, std::optional<Tables>& tables, const Running& running,
+               const Budget& budget, std::string& message) {
+    RunClock clock;
+    const auto seconds = [&] { return running.threads > 1 ? clock.by_clock() : clock.seconds(); };
+    while (simulation.tick() < simulation.times().last() && message.empty()) {
+        clock.start();
+        if (!simulation.advance()) {
+            message = simulation.report().message;
+        }
+        if (tables) {
+            tables->write(simulation);
+        }
+        clock.stop();
+        if (seconds() > budget.seconds && simulation.tick() < simulation.times().last()) {
+            message = "stopped after " + cell(budget.seconds) + " s of computing";
+        }
+    }
+    return seconds();
+}
+
 /// One run into an expense whose seconds are the least so far.
 void run_once(const SceneDescription& scene, const Running& running, const Budget& budget, bool first,
               Expense& expense) {
@@ -90,24 +111,10 @@ void run_once(const SceneDescription& scene, const Running& running, const Budge
     if (running.write) {
         tables.emplace(running.place);
     }
-    RunClock clock;
-    const auto seconds = [&] { return running.threads > 1 ? clock.by_clock() : clock.seconds(); };
-    while (simulation.tick() < simulation.times().last() && expense.message.empty()) {
-        clock.start();
-        if (!simulation.advance()) {
-            expense.message = simulation.report().message;
-        }
-        if (tables) {
-            tables->write(simulation);
-        }
-        clock.stop();
-        if (seconds() > budget.seconds && simulation.tick() < simulation.times().last()) {
-            expense.message = "stopped after " + cell(budget.seconds) + " s of computing";
-        }
-    }
+    const double seconds = measure(simulation, tables, running, budget, expense.message);
     expense.finished = expense.message.empty();
-    if (first || seconds() < expense.seconds) {
-        expense.seconds = seconds();
+    if (first || seconds < expense.seconds) {
+        expense.seconds = seconds;
         expense.report = simulation.report();
     }
     expense.bodies = simulation.bodies().size();

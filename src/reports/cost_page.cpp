@@ -97,6 +97,32 @@ std::vector<Row> pairs_of(const Table& table) {
     return rows;
 }
 
+void add_scaling(const std::filesystem::path& folder, const Table& scaling, Page& page) {
+    page.heading(3, "Scaling");
+    page.text(
+        "Stones in a lattice in which neighbours overlap, as one group; memory a body is that of the same "
+        "lattice with nothing in touch, less what one body takes, and memory a contact what touching adds.");
+    add_scaling_pictures(folder, scaling, page);
+    page.table(readable(scaling, {}));
+}
+
+void add_left_out(const std::filesystem::path& folder, const Table& left_out, Page& page) {
+    page.heading(3, "What is left out");
+    page.text(
+        "Pairs of scenes that differ in one need; where there are two numbers, the first is with it. Parts "
+        "of the law that a scene does not enter are not compiled into its loop: each choice is a type of its "
+        "own. Rotation is never left out; the pair shows that bodies that do not turn cost the same. Of the "
+        "heap the most part are pools that Bullet's collision configuration takes at once, which the "
+        "spheres' scene has, too.");
+    page.table(pairs_of(left_out));
+    page.text(
+        "The program links all components, and so has the same libraries in both of a pair; a program of "
+        "one's own links what its components need:");
+    page.table(readable(libraries_table(folder), {}));
+    page.text(
+        together({"In the process of these runs: ", left_out.at(left_out.rows().front(), "libraries")}));
+}
+
 }  // namespace
 
 void add_cost(const std::filesystem::path& folder, Page& page) {
@@ -113,32 +139,10 @@ void add_cost(const std::filesystem::path& folder, Page& page) {
         page.table(readable(stages, {}));
     }
     if (!scaling.rows().empty()) {
-        page.heading(3, "Scaling");
-        page.text(
-            "Stones in a lattice in which neighbours overlap, as one group; memory a body is that of the "
-            "same lattice "
-            "with nothing in touch, less what one body takes, and memory a contact what touching adds.");
-        add_scaling_pictures(folder, scaling, page);
-        page.table(readable(scaling, {}));
+        add_scaling(folder, scaling, page);
     }
     if (!left_out.rows().empty()) {
-        page.heading(3, "What is left out");
-        page.text(
-            "Pairs of scenes that differ in one need; where there are two numbers, the first is with it. "
-            "Parts of the "
-            "law that a scene does not enter are not compiled into its loop: each choice is a type of its "
-            "own. Rotation "
-            "is never left out; the pair shows that bodies that do not turn cost the same. Of the heap the "
-            "most part are "
-            "pools that Bullet's collision configuration takes at once, which the spheres' scene has, too.");
-        page.table(pairs_of(left_out));
-        page.text(
-            "The program links all components, and so has the same libraries in both of a pair; a program of "
-            "one's own "
-            "links what its components need:");
-        page.table(readable(libraries_table(folder), {}));
-        page.text(
-            together({"In the process of these runs: ", left_out.at(left_out.rows().front(), "libraries")}));
+        add_left_out(folder, left_out, page);
     }
 }
 

@@ -11,8 +11,8 @@ namespace {
 
 /// A free brick: whatever its spin, energy and angular momentum stay.
 Problem spinning_brick(double spin) {
-    Problem problem;
-    SceneDescription& scene = problem.scene = bare_scene("spin", 100 / spin, 10);
+    Problem problem = bare_problem("spin", 100 / spin, 10);
+    SceneDescription& scene = problem.scene;
     scene.gravity.setZero();
     scene.shapes["brick"] = BoxShape{Vec3(0.2, 0.1, 0.05)};
     const Vec3 first = spin * Vec3(0.6, 0.3, 0.74).normalized();
@@ -35,8 +35,8 @@ Problem spinning_brick(double spin) {
 /// A ball that spins on the floor is driven by μ g as long as it slips.
 Problem spinning_ball(double spin) {
     constexpr double duration = 0.1;
-    Problem problem;
-    SceneDescription& scene = problem.scene = bare_scene("spin on the floor", duration, 10);
+    Problem problem = bare_problem("spin on the floor", duration, 10);
+    SceneDescription& scene = problem.scene;
     scene.shapes["ball"] = Sphere{0.05};
     add_floor(scene);
     add_body(scene, "ball", Vec3(0, 0, 0.05 - 2.9e-5)).angular_velocity =
@@ -54,8 +54,8 @@ Problem spinning_ball(double spin) {
 
 /// A cube of 0.1 m flies at a fixed wall of 1 cm: by the law it bounces.
 Problem thin_wall(double speed) {
-    Problem problem;
-    SceneDescription& scene = problem.scene = bare_scene("thin wall", std::max(2 / speed, 0.05), 10);
+    Problem problem = bare_problem("thin wall", std::max(2 / speed, 0.05), 10);
+    SceneDescription& scene = problem.scene;
     scene.gravity.setZero();
     scene.materials["rock"].youngs_modulus = 1e13;
     scene.shapes["cube"] = shipped_mesh("cube", 0.1);
@@ -74,8 +74,8 @@ Problem thin_wall(double speed) {
 /// Two bodies overlap and push each other apart: no more energy comes out than was stored. What was, and what
 /// became of it, is in the run's own account.
 Problem overlapping(const Vec3& apart, double scale) {
-    Problem problem;
-    SceneDescription& scene = problem.scene = bare_scene("overlap", 0.02, 10);
+    Problem problem = bare_problem("overlap", 0.02, 10);
+    SceneDescription& scene = problem.scene;
     scene.gravity.setZero();
     scene.shapes["cube"] = shipped_mesh("cube", 0.1);
     scene.shapes["other"] = shipped_mesh("cube", scale);

@@ -15,8 +15,8 @@ constexpr double edge = 0.1;     // [m]
 constexpr double slope = 0.349;  // [rad], 20 degrees
 
 Problem friction_problem(double friction) {
-    Problem problem;
-    SceneDescription& scene = problem.scene = bare_scene("friction", 0.5, 10);
+    Problem problem = bare_problem("friction", 0.5, 10);
+    SceneDescription& scene = problem.scene;
     scene.materials["rock"].friction = friction;
     scene.gravity = earth_gravity * (std::sin(slope) * odd_direction() - std::cos(slope) * Vec3::UnitZ());
     scene.shapes["cube"] = shipped_mesh("cube", edge);
@@ -59,8 +59,8 @@ double fallen(double ratio, double frequency, double time) {
 Problem damping_problem(double ratio) {
     constexpr double youngs_modulus = 1e7;
     const double length = 2 * sphere_radius(edge * edge * edge);
-    Problem problem;
-    SceneDescription& scene = problem.scene = bare_scene("damping", 0.3, 10);
+    Problem problem = bare_problem("damping", 0.3, 10);
+    SceneDescription& scene = problem.scene;
     scene.materials["rock"].youngs_modulus = youngs_modulus;
     scene.materials["rock"].normal_damping = 2 * length * ratio / edge;
     scene.shapes["cube"] = shipped_mesh("cube", edge);

@@ -73,10 +73,8 @@ void add_steps(std::vector<Extreme>& all, bool quick) {
 }  // namespace
 
 Problem settling_problem(const Settling& settling) {
-    Problem problem;
-    problem.name = "settling";
-    SceneDescription& scene = problem.scene =
-        bare_scene("settling", falls * std::sqrt(settling.edge / settling.gravity), 20);
+    Problem problem = bare_problem("settling", falls * std::sqrt(settling.edge / settling.gravity), 20);
+    SceneDescription& scene = problem.scene;
     scene.gravity = -settling.gravity * Vec3::UnitZ();
     scene.materials["rock"].youngs_modulus = settling.youngs_modulus;
     scene.materials["rock"].density = settling.density;

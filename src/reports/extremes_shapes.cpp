@@ -24,8 +24,8 @@ Values lowest_and_fastest(const Simulation& simulation) {
 
 /// Cubes of 0.1 m at whole places of a grid, each exactly in touch with its neighbours: all stay.
 Problem bricks(int wide, int high) {
-    Problem problem;
-    SceneDescription& scene = problem.scene = bare_scene("bricks", 1, 10);
+    Problem problem = bare_problem("bricks", 1, 10);
+    SceneDescription& scene = problem.scene;
     scene.shapes["cube"] = shipped_mesh("cube", 0.1);
     add_floor(scene);
     for (int z = 0; z < high; ++z) {
@@ -45,8 +45,8 @@ Problem bricks(int wide, int high) {
 /// Two cubes that meet edge on edge, exactly parallel or nearly so, without gravity and damping: what they
 /// had of energy they keep.
 Problem parallel_edges(double twist) {
-    Problem problem;
-    SceneDescription& scene = problem.scene = bare_scene("edges", 0.05, 10);
+    Problem problem = bare_problem("edges", 0.05, 10);
+    SceneDescription& scene = problem.scene;
     scene.gravity.setZero();
     MaterialDescription& rock = scene.materials["rock"];
     rock.friction = rock.normal_damping = rock.tangential_damping = 0;
@@ -69,9 +69,7 @@ Problem parallel_edges(double twist) {
     return problem;
 }
 
-}  // namespace
-
-void add_shapes(std::vector<Extreme>& all, const std::filesystem::path& folder, bool quick) {
+void add_slivers(std::vector<Extreme>& all) {
     for (const double aspect : {1e2, 1e4}) {
         Settling settling;
         settling.edge = 1;
@@ -81,6 +79,10 @@ void add_shapes(std::vector<Extreme>& all, const std::filesystem::path& folder, 
         settling.shape = BoxShape{Vec3(1, 1 / aspect, 1 / aspect)};
         all.push_back({"sliver needle", cell(aspect), settling_problem(settling)});
     }
+}
+
+/// Bodies of few faces and of many.
+void add_faces(std::vector<Extreme>& all, const std::filesystem::path& folder) {
     for (const char* mesh : {"tetrahedron", "icosahedron"}) {
         Settling settling;
         settling.shape = shipped_mesh(mesh, settling.edge);
@@ -95,18 +97,20 @@ void add_shapes(std::vector<Extreme>& all, const std::filesystem::path& folder, 
         settling.shape = stone;
         all.push_back({"faces", std::to_string(2 * points - 4), settling_problem(settling), 0.3});
     }
-    for (const double count : {30.0, 100.0}) {
-        if (!quick || count < 100) {
-            all.push_back(
-                {"stack", cell(count),
-                 standing_cubes("stack", 1, 1e11, std::vector<double>(static_cast<std::size_t>(count), 2.6)),
-                 1e-4});
-        }
-    }
-    if (quick) {
-        all.push_back(
-            {"stack", "100", standing_cubes("stack", 0.2, 1e11, std::vector<double>(100, 2.6)), 1e-4});
-    }
+}
+
+Extreme stack_of(int count, double end_time) {
+    const std::vector<double> masses(static_cast<std::size_t>(count), 2.6);
+    return {"stack", std::to_string(count), standing_cubes("stack", end_time, 1e11, masses), 1e-4};
+}
+
+}  // namespace
+
+void add_shapes(std::vector<Extreme>& all, const std::filesystem::path& folder, bool quick) {
+    add_slivers(all);
+    add_faces(all, folder);
+    all.push_back(stack_of(30, 1));
+    all.push_back(stack_of(100, quick ? 0.2 : 1));
     for (const double ratio : {1e3, 1e6, 1e9}) {
         all.push_back(
             {"mass ratio", cell(ratio), standing_cubes("mass_ratio", 1, 1e12, {1e-3, 1e-3 * ratio}), 1e-4});

@@ -34,6 +34,9 @@ struct Problem {
     std::vector<MethodChoice> references;
 };
 
+/// A problem around a scene as bare_scene() makes it, with the same name.
+Problem bare_problem(const std::string& name, double end_time, int looks);
+
 /// The problems of the accuracy report, in order.
 std::vector<Problem> accuracy_problems(bool quick);
 

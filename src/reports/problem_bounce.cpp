@@ -107,14 +107,12 @@ Values observe(const Simulation& simulation) {
 }  // namespace
 
 Problem bounce_problem() {
-    Problem problem;
-    problem.name = "bounce";
+    Problem problem = bare_problem("bounce", 0.4, 8);
     problem.purpose =
         "A cube of 0.1 m falls flat from 0.05 m and bounces three times; on its face the law is a linear "
         "spring and dashpot, here of damping ratio 0.1, which rigid bodies have as a restitution of 0.73. "
-        "The "
-        "error is the largest difference in height at eight times, over the height of the fall.";
-    SceneDescription& scene = problem.scene = bare_scene("bounce", 0.4, 8);
+        "The error is the largest difference in height at eight times, over the height of the fall.";
+    SceneDescription& scene = problem.scene;
     MaterialDescription& rock = scene.materials["rock"];
     rock.youngs_modulus = youngs_modulus;
     rock.normal_damping = 2 * length() * ratio / edge;

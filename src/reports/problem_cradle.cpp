@@ -35,14 +35,13 @@ Values attitude(const Simulation& simulation) {
 }  // namespace
 
 Problem cradle_problem() {
-    Problem problem;
-    problem.name = "cradle";
+    Problem problem = bare_problem("cradle", 0.02, 2);
     problem.purpose =
         "Four balls in a row that touch, and a fifth that hits them at 1 m/s; nothing is damped. Of rigid "
         "balls that hit one after the other the last leaves with all of the speed; the law has them in touch "
         "all at once, so that some of it stays behind. The error is the largest difference in velocity, over "
         "that of the fifth.";
-    SceneDescription& scene = problem.scene = bare_scene("cradle", 0.02, 2);
+    SceneDescription& scene = problem.scene;
     scene.gravity.setZero();
     MaterialDescription& rock = scene.materials["rock"];
     rock.friction = rock.normal_damping = rock.tangential_damping = 0;
@@ -62,13 +61,12 @@ Problem cradle_problem() {
 }
 
 Problem floating_block_problem() {
-    Problem problem;
-    problem.name = "floating_block";
+    Problem problem = bare_problem("floating_block", 2, 8);
     problem.purpose =
         "A block floats, tilted, to half its height in a half-space as soft as water, and heaves and rolls "
         "without damping for two seconds. The error is the largest difference in height, in heights of the "
         "block, or in the vertical as the block sees it.";
-    SceneDescription& scene = problem.scene = bare_scene("floating_block", 2, 8);
+    SceneDescription& scene = problem.scene;
     MaterialDescription& rock = scene.materials["rock"];
     rock.density = block_density;
     rock.friction = rock.normal_damping = rock.tangential_damping = 0;

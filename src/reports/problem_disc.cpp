@@ -98,14 +98,13 @@ Values observe(const Simulation& simulation) {
 }  // namespace
 
 Problem sliding_disc_problem() {
-    Problem problem;
-    problem.name = "sliding_disc";
+    Problem problem = bare_problem("sliding_disc", 0.25, 5);
     problem.purpose =
         "A disc of radius 0.1 m slides at 0.5 m/s and spins at 8 rad/s until friction has stopped it. By "
         "Coulomb's law at each point of its base both end at once; a contact's torsion under the limit "
         "surface is an approximation to that. The error is the largest difference in place, in radii, or in "
         "turn [rad].";
-    SceneDescription& scene = problem.scene = bare_scene("sliding_disc", 0.25, 5);
+    SceneDescription& scene = problem.scene;
     scene.shapes["disc"] = shipped_mesh("disc", radius);
     add_floor(scene);
     const double area = 24 * std::sin(2 * std::numbers::pi / 48) * radius * radius;

@@ -95,15 +95,12 @@ std::vector<std::string> quantities() {
 }  // namespace
 
 Problem incline_problem() {
-    Problem problem;
-    problem.name = "incline";
+    Problem problem = bare_problem("incline", 1, 4);
     problem.purpose =
         "Four mesh blocks of 0.1 and 0.2 m on slopes of 20, 26, 29 and 35 degrees, downhill along odd "
         "directions, for a second: by Coulomb's law with friction 0.5 the first two hold still and the "
-        "others "
-        "slide with g (sin θ − μ cos θ). The error is the largest difference in place, in units of the "
-        "block's size, or in turn [rad].";
-    problem.scene = bare_scene("incline", 1, 4);
+        "others slide with g (sin θ − μ cos θ). The error is the largest difference in place, in units of "
+        "the block's size, or in turn [rad].";
     problem.scene.materials["rock"].friction = friction;
     problem.scene.shapes["slab"] = shipped_mesh("slab", 4);
     for (std::size_t i = 0; i < std::size(slopes); ++i) {

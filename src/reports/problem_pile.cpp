@@ -18,6 +18,19 @@ void add_wall(SceneDescription& scene, const Vec3& inward) {
     add_fixed(scene, name, {});
 }
 
+/// Eight stones of a mesh, at random places in the box.
+void add_stones(SceneDescription& scene, const std::string& mesh) {
+    scene.shapes[mesh] = shipped_mesh(mesh, size);
+    FillDescription fill;
+    fill.shape = mesh;
+    fill.material = "rock";
+    fill.count = 8;
+    fill.low = Vec3(-width, -width, 0);
+    fill.high = Vec3(width, width, 0.2);
+    fill.seed = scene.fill.size() + 1;
+    scene.fill.push_back(fill);
+}
+
 /// The mean of n nᵀ over the contacts, and their number.
 struct Fabric {
     Mat3 tensor = Mat3::Zero();
@@ -63,33 +76,22 @@ Values observe(const Simulation& simulation) {
 }  // namespace
 
 Problem pile_problem(bool quick) {
-    Problem problem;
-    problem.name = "pile";
+    Problem problem = bare_problem("pile", 0.6, 12);
     problem.purpose =
         "Sixteen mesh stones of 5 cm fall into a box and settle for 0.6 s. Paths are chaotic, so the whole "
-        "is "
-        "compared: mean position, in sizes of a stone, energy over weight and size, contacts a stone over "
+        "is compared: mean position, in sizes of a stone, energy over weight and size, contacts a stone over "
         "ten, and the fabric, the mean of n nᵀ. The error is the largest difference from the mean of several "
         "fine runs; these differ among themselves by as much as is said below, and less than that means "
         "nothing.";
-    SceneDescription& scene = problem.scene = bare_scene("pile", 0.6, 12);
+    SceneDescription& scene = problem.scene;
     scene.materials["rock"].youngs_modulus = 1e7;
     add_floor(scene);
     for (const Vec3& inward :
          {Vec3(Vec3::UnitX()), Vec3(-Vec3::UnitX()), Vec3(Vec3::UnitY()), Vec3(-Vec3::UnitY())}) {
         add_wall(scene, inward);
     }
-    for (const char* stone : {"stone_a", "stone_b"}) {
-        scene.shapes[stone] = shipped_mesh(stone, size);
-        FillDescription fill;
-        fill.shape = stone;
-        fill.material = "rock";
-        fill.count = 8;
-        fill.low = Vec3(-width, -width, 0);
-        fill.high = Vec3(width, width, 0.2);
-        fill.seed = scene.fill.size() + 1;
-        scene.fill.push_back(fill);
-    }
+    add_stones(scene, "stone_a");
+    add_stones(scene, "stone_b");
     problem.quantities = {"mean x",           "mean y",    "mean z",    "energy",
                           "contacts a stone", "fabric xx", "fabric yy", "fabric zz"};
     problem.observe = observe;

@@ -65,13 +65,12 @@ double ball_depth(const SceneDescription& scene) {
 }  // namespace
 
 Problem sliding_to_rest_problem() {
-    Problem problem;
-    problem.name = "sliding_to_rest";
+    Problem problem = bare_problem("sliding_to_rest", 0.3, 3);
     problem.purpose =
         "A cube of 0.1 m slides at 1 m/s in an odd direction until friction 0.5 has stopped it: after v/(μ "
-        "g), "
-        "and v²/(2 μ g) farther. The error is the largest difference in place, in edges, or in turn [rad].";
-    SceneDescription& scene = problem.scene = bare_scene("sliding_to_rest", 0.3, 3);
+        "g), and v²/(2 μ g) farther. The error is the largest difference in place, in edges, or in turn "
+        "[rad].";
+    SceneDescription& scene = problem.scene;
     scene.shapes["cube"] = shipped_mesh("cube", edge);
     add_floor(scene);
     const double weight = 2600 * edge * edge * edge * earth_gravity;
@@ -85,12 +84,11 @@ Problem sliding_to_rest_problem() {
 }
 
 Problem rolling_problem() {
-    Problem problem;
-    problem.name = "rolling_transition";
+    Problem problem = bare_problem("rolling_transition", 0.3, 3);
     problem.purpose =
         "A ball of radius 0.05 m slides at 1 m/s without spin until, after 2 v/(7 μ g), it rolls at 5/7 of "
         "that. The error is the largest difference in place, in radii, or in velocity or rim speed, over v.";
-    SceneDescription& scene = problem.scene = bare_scene("rolling_transition", 0.3, 3);
+    SceneDescription& scene = problem.scene;
     scene.materials["rock"].friction = ball_friction;
     scene.shapes["ball"] = Sphere{radius};
     add_floor(scene);

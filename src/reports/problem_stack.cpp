@@ -48,9 +48,8 @@ Values standing(const std::vector<double>& middles) {
 
 Problem standing_cubes(const std::string& name, double end_time, double youngs_modulus,
                        const std::vector<double>& masses) {
-    Problem problem;
-    problem.name = name;
-    SceneDescription& scene = problem.scene = bare_scene(name, end_time, 20);
+    Problem problem = bare_problem(name, end_time, 20);
+    SceneDescription& scene = problem.scene;
     scene.materials["rock"].youngs_modulus = youngs_modulus;
     scene.shapes["cube"] = shipped_mesh("cube", edge);
     add_floor(scene);
@@ -88,8 +87,7 @@ Problem mass_ratio_problem() {
     Problem problem = standing_cubes("mass_ratio", 2, 1e11, {1, 1000});
     problem.purpose =
         "A cube of 1 kg bears one of 1000 kg for two seconds. The error is the largest distance along an "
-        "axis "
-        "from where a cube would be if it were rigid, in edges.";
+        "axis from where a cube would be if it were rigid, in edges.";
     return problem;
 }
 

@@ -143,15 +143,12 @@ Values observe(const Simulation& simulation) {
 }  // namespace
 
 Problem free_top_problem(bool quick) {
-    Problem problem;
-    problem.name = "free_top";
+    Problem problem = bare_problem("free_top", quick ? 10 : 100, 10);
     problem.purpose =
         "A free plate whose moments are nearly as 1 : 2 : 3 tumbles at 2.4 rad/s; Jacobi's elliptic "
-        "functions "
-        "say where it looks. The error is the largest difference in the components of its axes, in energy, "
-        "or "
-        "in angular momentum, over their first values.";
-    SceneDescription& scene = problem.scene = bare_scene("free_top", quick ? 10 : 100, 10);
+        "functions say where it looks. The error is the largest difference in the components of its axes, in "
+        "energy, or in angular momentum, over their first values.";
+    SceneDescription& scene = problem.scene;
     scene.gravity.setZero();
     scene.shapes["plate"] = BoxShape{edges};
     add_body(scene, "plate", Vec3::Zero()).angular_velocity = first_spin;

@@ -100,6 +100,18 @@ std::vector<Row> steps_by_modulus(const Table& table, Plot& plot) {
     return rows;
 }
 
+void add_steps(const std::filesystem::path& folder, const Table& steps, Page& page) {
+    Plot plot{"greatest stable step of a cube at rest", "Y [Pa]", "step [s]", {}};
+    const std::vector<Row> rows = steps_by_modulus(steps, plot);
+    page.heading(3, "Greatest stable step");
+    page.text(
+        "With which a cube of 0.1 m stays at rest for 400 steps, in seconds; the search ends at 0.1 s.");
+    if (draw(plot, folder / "stable_steps.svg")) {
+        page.picture("stable_steps.svg", "Greatest stable step over Young's modulus.");
+    }
+    page.table(rows);
+}
+
 }  // namespace
 
 void add_stability(const std::filesystem::path& folder, Page& page) {
@@ -111,33 +123,20 @@ void add_stability(const std::filesystem::path& folder, Page& page) {
     page.heading(2, "Stability");
     page.text(
         "Stiff and extreme cases. Stable: the run finished, invented no energy and ended right within the "
-        "limit in "
-        "stability.csv; inaccurate: it finished and ended farther off; failed: it did not finish, invented "
-        "more than a "
-        "tenth of the energy in the scene, or ended off by a body's size or all of a velocity; stopped: it "
-        "took longer "
-        "than it was given. The number decided it. Silent: neither a message nor the energy residual of the "
-        "run told "
-        "of it. stability.csv has the residuals of energy and momentum, the energy invented and the largest "
-        "overlap.");
+        "limit in stability.csv; inaccurate: it finished and ended farther off; failed: it did not finish, "
+        "invented more than a tenth of the energy in the scene, or ended off by a body's size or all of a "
+        "velocity; stopped: it took longer than it was given. The number decided it. Silent: neither a "
+        "message nor the energy residual of the run told of it. stability.csv has the residuals of energy "
+        "and momentum, the energy invented and the largest overlap.");
     page.text(
         "Explicit methods get a fixed number of steps for the time that a case takes, Bullet's solver its "
-        "default of "
-        "1/240 s and ten iterations, and as its best a thousandth of a second, 50 iterations and separating "
-        "axes.");
+        "default of 1/240 s and ten iterations, and as its best a thousandth of a second, 50 iterations and "
+        "separating axes.");
     if (!table.rows().empty()) {
         page.table(counts(table)).table(matrix(table));
     }
     if (!steps.rows().empty()) {
-        Plot plot{"greatest stable step of a cube at rest", "Y [Pa]", "step [s]", {}};
-        const std::vector<Row> rows = steps_by_modulus(steps, plot);
-        page.heading(3, "Greatest stable step");
-        page.text(
-            "With which a cube of 0.1 m stays at rest for 400 steps, in seconds; the search ends at 0.1 s.");
-        if (draw(plot, folder / "stable_steps.svg")) {
-            page.picture("stable_steps.svg", "Greatest stable step over Young's modulus.");
-        }
-        page.table(rows);
+        add_steps(folder, steps, page);
     }
 }
 

@@ -22,8 +22,8 @@ constexpr double near = 1.1;  // the bisection ends when the bounds are that clo
 
 /// Pushed a little, so that what is unstable grows.
 Problem disturbed_cube(const MethodChoice& method, double youngs_modulus, double step) {
-    Problem problem;
-    SceneDescription& scene = problem.scene = bare_scene("rest", steps_made * step, 10);
+    Problem problem = bare_problem("rest", steps_made * step, 10);
+    SceneDescription& scene = problem.scene;
     scene.materials["rock"].youngs_modulus = youngs_modulus;
     scene.shapes["cube"] = shipped_mesh("cube", edge);
     add_floor(scene);

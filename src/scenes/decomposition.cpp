@@ -39,26 +39,28 @@ TriangleMesh subdivided(const TriangleMesh& mesh) {
     return finer;
 }
 
-}  // namespace
-
-std::span<const DecompositionSetting> decomposition_settings() {
-    return settings;
+/// Of a solution: the corners of the hull of each piece.
+std::vector<std::vector<Vec3>> pieces_of(HACD::HACD& method) {
+    std::vector<std::vector<Vec3>> pieces;
+    for (std::size_t i = 0; i < method.GetNClusters(); ++i) {
+        std::vector<HACD::Vec3<HACD::Real>> corners(method.GetNPointsCH(i));
+        std::vector<HACD::Vec3<long>> faces(method.GetNTrianglesCH(i));
+        method.GetCH(i, corners.data(), faces.data());
+        std::vector<Vec3>& piece = pieces.emplace_back();
+        for (const auto& corner : corners) {
+            piece.emplace_back(corner.X(), corner.Y(), corner.Z());
+        }
+    }
+    return pieces;
 }
 
-std::vector<std::vector<Vec3>> decompose(const TriangleMesh& mesh, const DecompositionSetting& setting) {
-    TriangleMesh fine = mesh;
-    for (std::size_t i = 0; i < setting.subdivisions && 4 * fine.triangles.size() <= most_triangles; ++i) {
-        fine = subdivided(fine);
-    }
-    if (fine.triangles.size() > most_triangles) {
-        return {};
-    }
+std::vector<std::vector<Vec3>> pieces_of(const TriangleMesh& mesh, const DecompositionSetting& setting) {
     std::vector<HACD::Vec3<HACD::Real>> points;
-    for (const Vec3& v : fine.vertices) {
+    for (const Vec3& v : mesh.vertices) {
         points.emplace_back(v.x(), v.y(), v.z());
     }
     std::vector<HACD::Vec3<long>> triangles;
-    for (const auto& [a, b, c] : fine.triangles) {
+    for (const auto& [a, b, c] : mesh.triangles) {
         triangles.emplace_back(a, b, c);
     }
     HACD::HACD method;
@@ -77,17 +79,24 @@ std::vector<std::vector<Vec3>> decompose(const TriangleMesh& mesh, const Decompo
     method.SetAddFacesPoints(true);
     method.Compute(true);
     method.DenormalizeData();
-    std::vector<std::vector<Vec3>> pieces;
-    for (std::size_t i = 0; i < method.GetNClusters(); ++i) {
-        std::vector<HACD::Vec3<HACD::Real>> corners(method.GetNPointsCH(i));
-        std::vector<HACD::Vec3<long>> faces(method.GetNTrianglesCH(i));
-        method.GetCH(i, corners.data(), faces.data());
-        std::vector<Vec3>& piece = pieces.emplace_back();
-        for (const auto& corner : corners) {
-            piece.emplace_back(corner.X(), corner.Y(), corner.Z());
-        }
+    return pieces_of(method);
+}
+
+}  // namespace
+
+std::span<const DecompositionSetting> decomposition_settings() {
+    return settings;
+}
+
+std::vector<std::vector<Vec3>> decompose(const TriangleMesh& mesh, const DecompositionSetting& setting) {
+    TriangleMesh fine = mesh;
+    for (std::size_t i = 0; i < setting.subdivisions && 4 * fine.triangles.size() <= most_triangles; ++i) {
+        fine = subdivided(fine);
     }
-    return pieces;
+    if (fine.triangles.size() > most_triangles) {
+        return {};
+    }
+    return pieces_of(fine, setting);
 }
 
 }  // namespace scree

@@ -105,6 +105,27 @@ BodyDescription body(const std::string& name, const Pose& pose, MotionDescriptio
     return description;
 }
 
+// Runs to the end and keeps how the block moved half-way, and how far it got from where it had settled.
+void slide(Simulation& simulation, InclineRun& run, FrameMotion& half, double& half_time) {
+    const std::int64_t ticks = simulation.times().last();
+    FrameMotion settled = half;
+    run.finished = true;
+    for (std::int64_t tick = 1; tick <= ticks && run.finished; ++tick) {
+        run.finished = simulation.advance();
+        const FrameMotion now = simulation.body_motion(1);
+        if (tick == ticks / 5) {
+            settled = now;
+        }
+        if (tick > ticks / 5) {
+            run.creep = std::max(run.creep, (now.pose.position - settled.pose.position).norm());
+        }
+        if (tick == ticks / 2) {
+            half = now;
+            half_time = simulation.time();
+        }
+    }
+}
+
 }  // namespace
 
 double sliding_angle(const Incline& incline) {
@@ -152,27 +173,11 @@ InclineRun run_incline(const Incline& incline, double slope, double duration) {
     Simulation simulation(incline_scene(incline, slope, duration));
     const Quat back = slope_turn(incline, slope).conjugate();
     const FrameMotion start = simulation.body_motion(1);
-    const std::int64_t ticks = simulation.times().last();
-    FrameMotion settled = start;
+    InclineRun run;
     FrameMotion half = start;
     double half_time = 0;
-    InclineRun run;
     const auto clock = std::chrono::steady_clock::now();
-    run.finished = true;
-    for (std::int64_t tick = 1; tick <= ticks && run.finished; ++tick) {
-        run.finished = simulation.advance();
-        const FrameMotion now = simulation.body_motion(1);
-        if (tick == ticks / 5) {
-            settled = now;
-        }
-        if (tick > ticks / 5) {
-            run.creep = std::max(run.creep, (now.pose.position - settled.pose.position).norm());
-        }
-        if (tick == ticks / 2) {
-            half = now;
-            half_time = simulation.time();
-        }
-    }
+    slide(simulation, run, half, half_time);
     run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - clock).count();
     const FrameMotion end = simulation.body_motion(1);
     const Vec3 along = downhill(incline);

@@ -41,6 +41,12 @@ void Bodies::check(const btCollisionObject& object) {
     if (object.getBroadphaseHandle() != nullptr) {
         throw std::invalid_argument("the body is in a world already");
     }
+    const btRigidBody* rigid = btRigidBody::upcast(&object);
+    if (rigid != nullptr && damps_additionally(*rigid)) {
+        throw std::invalid_argument(
+            "additional damping is not done: found m_additionalDamping set, expected linear and angular "
+            "damping alone");
+    }
 }
 
 BodyShape Bodies::translate(const btCollisionObject& object) {

@@ -93,6 +93,7 @@ class Bodies {
     void read_activation(std::size_t number, Changes& changes);
     void read_one(std::size_t number, double now, double tick, double left, Changes& changes);
     void read_motion(std::size_t number, double now, double left, Changes& changes);
+    void read_velocities(std::size_t number, Changes& changes);
 
     System& system_;
     ShapeLibrary library_;

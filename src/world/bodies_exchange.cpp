@@ -125,12 +125,17 @@ void Bodies::read_motion(std::size_t number, double now, double left, Changes& c
     }
     if (body.motion == Motion::fixed) {
         set_velocity(system_.bodies[number], Vec3::Zero(), Vec3::Zero(), state);
-        return;
+    } else {
+        read_velocities(number, changes);
     }
+}
+
+void Bodies::read_velocities(std::size_t number, Changes& changes) {
+    WorldBody& body = bodies_[number];
     const btVector3& velocity = body.rigid->getLinearVelocity();
     const btVector3& spin = body.rigid->getAngularVelocity();
     if (!same(velocity, body.velocity) || !same(spin, body.spin)) {
-        set_velocity(system_.bodies[number], to_eigen(velocity), to_eigen(spin), state);
+        set_velocity(system_.bodies[number], to_eigen(velocity), to_eigen(spin), system_.states[number]);
         body.velocity = velocity;
         body.spin = spin;
         changes.bodies.push_back(static_cast<int>(number));

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include <LinearMath/btSerializer.h>
+
 #include <scree/detect/convert.hpp>
 #include <scree/mesh/mass_properties.hpp>
 
@@ -52,6 +54,14 @@ Motion motion_of(const btCollisionObject& object) {
         return Motion::prescribed;
     }
     return rigid->isStaticObject() || rigid->getInvMass() == 0 ? Motion::fixed : Motion::dynamic;
+}
+
+// Bullet tells it to nobody but a serializer.
+bool damps_additionally(const btRigidBody& rigid) {
+    btDefaultSerializer serializer;
+    btRigidBodyDoubleData data{};
+    rigid.btRigidBody::serialize(&data, &serializer);
+    return data.m_additionalDamping != 0;
 }
 
 Body physical_body(const WorldBody& body) {

@@ -13,6 +13,9 @@ inline btVector3 unseen() {
 
 Motion motion_of(const btCollisionObject& object);
 
+/// Whether the body was made with m_additionalDamping, which takes speed from whatever is slow.
+bool damps_additionally(const btRigidBody& rigid);
+
 /// Bullet's factors of a dynamic body's axes, and its damping; null when they leave the body free. A body
 /// that has no inertia about any axis does not turn. Damping takes its share a second at the same rate all
 /// the time; all of it, within a tick [s].

@@ -27,12 +27,8 @@ struct Scene {
     ShapeLibrary library;
     PairSearch search;
 
-    explicit Scene(bool sweep = false) {
-        if (sweep) {
-            broadphase = std::make_unique<bt32BitAxisSweep3>(btVector3(-9, -9, -9), btVector3(9, 9, 9));
-        } else {
-            broadphase = std::make_unique<btDbvtBroadphase>();
-        }
+    explicit Scene(std::unique_ptr<btBroadphaseInterface> pairs = std::make_unique<btDbvtBroadphase>())
+        : broadphase(std::move(pairs)) {
         world = std::make_unique<btCollisionWorld>(&dispatcher, broadphase.get(), &configuration);
     }
     ~Scene() {
@@ -141,7 +137,11 @@ std::vector<PartPair> by_brute_force(const std::vector<SearchBody>& bodies) {
 TEST_CASE("the pair list is that of brute force, in any broadphase and at any size") {
     const double size = GENERATE(1.0, 1e-3);
     const bool sweep = GENERATE(false, true);
-    Scene scene(sweep);
+    std::unique_ptr<btBroadphaseInterface> pairs = std::make_unique<btDbvtBroadphase>();
+    if (sweep) {
+        pairs = std::make_unique<bt32BitAxisSweep3>(btVector3(-9, -9, -9), btVector3(9, 9, 9));
+    }
+    Scene scene(std::move(pairs));
     fill(scene, 7, size, 150);
     const std::vector<PartPair> all = by_brute_force(scene.bodies);
     CHECK(all.size() > 150);
@@ -219,12 +219,40 @@ TEST_CASE("Bullet's filters choose the pairs") {
     }
 }
 
-TEST_CASE("Bullet's tree margin is left as it was") {
-    const btScalar margin = gDbvtMargin;
-    Scene scene;
+TEST_CASE("Bullet's tree margin, which all worlds share, is never touched") {
+    struct Watched : btDbvtBroadphase {
+        btScalar margin = gDbvtMargin;
+        int told = 0;
+        void setAabb(btBroadphaseProxy* proxy, const btVector3& low, const btVector3& high,
+                     btDispatcher* dispatcher) override {
+            CHECK(gDbvtMargin == margin);
+            ++told;
+            btDbvtBroadphase::setAabb(proxy, low, high, dispatcher);
+        }
+    };
+    auto pairs = std::make_unique<Watched>();
+    const Watched& watched = *pairs;
+    Scene scene(std::move(pairs));
     fill(scene, 10, 0.01, 20);
     scene.find();
-    CHECK(gDbvtMargin == margin);
+    for (SearchBody& body : scene.bodies) {
+        body.pose.position.x() += 1e-6;
+    }
+    scene.find();
+    CHECK(watched.told >= 10);
+    CHECK(gDbvtMargin == watched.margin);
+}
+
+TEST_CASE("Bullet's tree has a body's box with a twentieth of its radius around") {
+    Scene scene;
+    scene.add_box(Vec3(0, 0, 0), 0.1);
+    scene.bodies[0].pose.position.x() = 5;
+    scene.find();
+    const btBroadphaseProxy& proxy = *scene.objects[0]->getBroadphaseHandle();
+    CHECK(proxy.m_aabbMin.x() == Approx(4.95));
+    const double around = 0.05 * scene.exact[0]->radius;
+    CHECK(static_cast<const btDbvtProxy&>(proxy).leaf->volume.Mins().x() == Approx(4.95 - around));
+    CHECK(static_cast<const btDbvtProxy&>(proxy).leaf->volume.Maxs().z() == Approx(0.05 + around));
 }
 
 TEST_CASE("the bound on a body's motion holds for its points and is not far off") {

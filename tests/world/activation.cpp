@@ -1,25 +1,11 @@
 #include <catch2/catch.hpp>
 
-#include <tests/world/bullet_scene.hpp>
+#include <tests/world/steps.hpp>
 
 using namespace scree;
 using namespace scree::test;
 
 namespace {
-
-void step(BulletScene& scene, int ticks) {
-    for (int i = 0; i < ticks; ++i) {
-        scene.world->stepSimulation(0.01, 1, 0.01);
-    }
-    INFO(scene.world->step_report().message);
-    REQUIRE_FALSE(scene.world->step_report().failed);
-}
-
-btRigidBody& add_cube(BulletScene& scene, double x, double z) {
-    btRigidBody& cube = scene.add(1, scene.box(Vec3::Constant(0.1)), Vec3(x, 0, z));
-    scene.world->set_material(cube, rock(1e8));
-    return cube;
-}
 
 void let_sleep(BulletScene& scene) {
     SteppingOptions options;
@@ -59,8 +45,9 @@ TEST_CASE("with the option on, what rests sleeps, and costs nothing") {
 TEST_CASE("a sleeper wakes up") {
     BulletScene scene;
     let_sleep(scene);
+    constexpr double soft = 1e8;  // [Pa]: what falls on the cube is still at it after 0.3 s
     btRigidBody& slab = scene.add(0, scene.box(Vec3(4, 4, 0.1)), Vec3(0, 0, -0.05));
-    btRigidBody& cube = add_cube(scene, 0, 0.05);
+    btRigidBody& cube = add_cube(scene, 0, 0.05, soft);
     step(scene, 150);
     REQUIRE(cube.getActivationState() == ISLAND_SLEEPING);
     SECTION("when it is activated") {
@@ -80,7 +67,7 @@ TEST_CASE("a sleeper wakes up") {
         CHECK(cube.getLinearVelocity().z() > 0.05);
     }
     SECTION("when something comes") {
-        add_cube(scene, 0, 0.2);
+        add_cube(scene, 0, 0.2, soft);
         step(scene, 30);
         CHECK(scene.world->step_report().contacts == 2);
         CHECK(cube.isActive());

@@ -4,34 +4,14 @@
 #include <cmath>
 #include <string>
 
-#include <tests/world/bullet_scene.hpp>
+#include <tests/world/steps.hpp>
 
 using namespace scree;
 using namespace scree::test;
 
-#define BOTH_WORLDS DynamicsWorld, btDiscreteDynamicsWorld
-
 namespace {
 
 constexpr double tick = 0.01;
-
-template <class World>
-void run(SceneOf<World>& scene, double time) {
-    const auto ticks = static_cast<int>(std::lround(time / tick));
-    for (int i = 0; i < ticks; ++i) {
-        scene.world->stepSimulation(tick, 1, tick);
-    }
-}
-
-template <class World>
-btRigidBody& add_ground(SceneOf<World>& scene) {
-    return scene.add(0, scene.template shape<btBoxShape>(btVector3(20, 20, 0.5)), Vec3(0, 0, -0.5));
-}
-
-template <class World>
-btRigidBody& add_box(SceneOf<World>& scene, const Vec3& at) {
-    return scene.add(1, scene.template shape<btBoxShape>(btVector3(0.5, 0.5, 0.5)), at);
-}
 
 }  // namespace
 
@@ -100,16 +80,16 @@ TEMPLATE_TEST_CASE("both worlds: bodies come and go, between ticks and in callba
     add_ground(scene);
     btRigidBody& lower = add_box(scene, Vec3(0, 0, 0.5));
     btRigidBody& upper = add_box(scene, Vec3(0, 0, 1.5));
-    run(scene, 0.3);
+    run(scene, 0.3, tick);
     scene.world->removeRigidBody(&lower);
     CHECK(scene.world->getNumCollisionObjects() == 2);
-    run(scene, 0.8);
+    run(scene, 0.8, tick);
     CHECK(position_of(upper).z() == Approx(0.5).margin(0.01));
     CHECK(lower.getBroadphaseHandle() == nullptr);
     lower.setWorldTransform(to_bullet(Pose{Vec3(0, 0, 1.6), Quat::Identity()}));
     lower.setLinearVelocity(btVector3(0, 0, 0));
     scene.world->addRigidBody(&lower);
-    run(scene, 0.8);
+    run(scene, 0.8, tick);
     CHECK(position_of(lower).z() == Approx(1.5).margin(0.02));
 
     static btRigidBody* going;
@@ -121,7 +101,7 @@ TEMPLATE_TEST_CASE("both worlds: bodies come and go, between ticks and in callba
             }
         },
         nullptr);
-    run(scene, 0.8);
+    run(scene, 0.8, tick);
     CHECK(position_of(lower).z() == Approx(0.5).margin(0.02));
     scene.world->setInternalTickCallback(nullptr);
     scene.world->addRigidBody(&upper);
@@ -135,7 +115,7 @@ TEMPLATE_TEST_CASE("both worlds: activation states", "[both]", BOTH_WORLDS) {
     stopped.forceActivationState(DISABLE_SIMULATION);
     sleeping.forceActivationState(ISLAND_SLEEPING);
     tireless.setActivationState(DISABLE_DEACTIVATION);
-    run(scene, 0.5);
+    run(scene, 0.5, tick);
     CHECK(position_of(stopped).z() == 5);
     CHECK(position_of(sleeping).z() == 5);
     CHECK(sleeping.getActivationState() == ISLAND_SLEEPING);
@@ -143,7 +123,7 @@ TEMPLATE_TEST_CASE("both worlds: activation states", "[both]", BOTH_WORLDS) {
     CHECK(tireless.getActivationState() == DISABLE_DEACTIVATION);
     sleeping.activate();
     stopped.forceActivationState(ACTIVE_TAG);
-    run(scene, 0.5);
+    run(scene, 0.5, tick);
     CHECK(position_of(stopped).z() < 4);
     CHECK(position_of(sleeping).z() < 4);
     CHECK(sleeping.getActivationState() == ACTIVE_TAG);
@@ -159,12 +139,12 @@ TEMPLATE_TEST_CASE("both worlds: a sleeping wall stands until it is hit", "[both
     }
     btRigidBody& ball = scene.add(5, scene.template shape<btSphereShape>(0.4), Vec3(-8, 0, 4.2));
     ball.setLinearVelocity(btVector3(12, 0, 0));
-    run(scene, 0.3);
+    run(scene, 0.3, tick);
     for (const btRigidBody* brick : wall) {
         CHECK(brick->getActivationState() == ISLAND_SLEEPING);
         CHECK(brick->getLinearVelocity().length() == 0);
     }
-    run(scene, 1);
+    run(scene, 1, tick);
     CHECK(position_of(*wall[2]).x() > 0.3);
     CHECK(wall[2]->isActive());
 }
@@ -177,7 +157,7 @@ TEMPLATE_TEST_CASE("both worlds: what users hang on bodies and worlds stays", "[
     box.setUserIndex(4);
     box.setUserIndex2(5);
     scene.world->setWorldUserInfo(&mine);
-    run(scene, 0.1);
+    run(scene, 0.1, tick);
     CHECK(box.getUserPointer() == &mine);
     CHECK(box.getUserIndex() == 4);
     CHECK(box.getUserIndex2() == 5);
@@ -193,18 +173,18 @@ TEMPLATE_TEST_CASE("both worlds: a body moves from one world to another with its
                    BOTH_WORLDS) {
     SceneOf<TestType> from, to;
     btRigidBody& box = add_box(from, Vec3(0, 0, 5));
-    run(from, 0.5);
+    run(from, 0.5, tick);
     const btVector3 velocity = box.getLinearVelocity();
     from.world->removeRigidBody(&box);
     to.world->setGravity(btVector3(1, 0, 0));
     to.world->addRigidBody(&box);
     CHECK(box.getLinearVelocity() == velocity);
-    run(to, 1);
+    run(to, 1, tick);
     CHECK(box.getLinearVelocity().x() == Approx(1).epsilon(1e-6));
     CHECK(box.getLinearVelocity().z() == Approx(velocity.z()).epsilon(1e-6));
     to.world->removeRigidBody(&box);
     from.world->addRigidBody(&box);
-    run(from, 0.1);
+    run(from, 0.1, tick);
     CHECK(box.getLinearVelocity().x() == Approx(1).epsilon(1e-6));
 }
 
@@ -223,7 +203,7 @@ TEMPLATE_TEST_CASE("both worlds: debug drawing shows shapes, bounds and contacts
     SceneOf<TestType> scene;
     add_ground(scene);
     add_box(scene, Vec3(0, 0, 0.5));
-    run(scene, 0.2);
+    run(scene, 0.2, tick);
     scene.world->setDebugDrawer(&drawer);
     CHECK(scene.world->getDebugDrawer() == &drawer);
     drawer.setDebugMode(btIDebugDraw::DBG_DrawContactPoints);

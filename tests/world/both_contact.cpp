@@ -5,34 +5,14 @@
 
 #include <cmath>
 
-#include <tests/world/bullet_scene.hpp>
+#include <tests/world/steps.hpp>
 
 using namespace scree;
 using namespace scree::test;
 
-#define BOTH_WORLDS DynamicsWorld, btDiscreteDynamicsWorld
-
 namespace {
 
 constexpr double tick = 1.0 / 240;
-
-template <class World>
-void run(SceneOf<World>& scene, double time) {
-    const auto ticks = static_cast<int>(std::lround(time / tick));
-    for (int i = 0; i < ticks; ++i) {
-        scene.world->stepSimulation(tick, 1, tick);
-    }
-}
-
-template <class World>
-btRigidBody& add_ground(SceneOf<World>& scene) {
-    return scene.add(0, scene.template shape<btBoxShape>(btVector3(20, 20, 0.5)), Vec3(0, 0, -0.5));
-}
-
-template <class World>
-btRigidBody& add_box(SceneOf<World>& scene, const Vec3& at, double half = 0.5) {
-    return scene.add(1, scene.template shape<btBoxShape>(btVector3(half, half, half)), at);
-}
 
 }  // namespace
 

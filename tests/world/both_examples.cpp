@@ -3,29 +3,14 @@
 
 #include <cmath>
 
-#include <tests/world/bullet_scene.hpp>
+#include <tests/world/steps.hpp>
 
 using namespace scree;
 using namespace scree::test;
 
-#define BOTH_WORLDS DynamicsWorld, btDiscreteDynamicsWorld
-
 namespace {
 
 constexpr double tick = 1.0 / 120;
-
-template <class World>
-void run(SceneOf<World>& scene, double time) {
-    const auto ticks = static_cast<int>(std::lround(time / tick));
-    for (int i = 0; i < ticks; ++i) {
-        scene.world->stepSimulation(tick, 1, tick);
-    }
-}
-
-template <class World>
-btRigidBody& add_ground(SceneOf<World>& scene) {
-    return scene.add(0, scene.template shape<btBoxShape>(btVector3(50, 50, 1)), Vec3(0, 0, -1));
-}
 
 }  // namespace
 
@@ -37,7 +22,7 @@ TEMPLATE_TEST_CASE("both worlds, basic boxes: a block of boxes falls and stands"
     for (int i = 0; i < 27; ++i) {
         boxes.push_back(&scene.add(1, box, Vec3(0.25 * (i % 3), 0.25 * (i / 3 % 3), 0.15 + 0.21 * (i / 9))));
     }
-    run(scene, 1.5);
+    run(scene, 1.5, tick);
     for (std::size_t i = 0; i < boxes.size(); ++i) {
         CHECK(position_of(*boxes[i]).z() == Approx(0.1 + 0.2 * static_cast<double>(i / 9)).margin(5e-3));
         CHECK(boxes[i]->getLinearVelocity().length() < 0.02);
@@ -72,7 +57,7 @@ TEMPLATE_TEST_CASE("both worlds, compounds: tables fall on their feet and dumbbe
     body.setMassProps(4, inertia);
     body.setWorldTransform(at(0, 0, 0.4) * principal);
     scene.world->addRigidBody(&body);
-    run(scene, 1.5);
+    run(scene, 1.5, tick);
     const btVector3 up =
         body.getWorldTransform().getBasis() * (principal.getBasis().inverse() * btVector3(0, 0, 1));
     CHECK(up.z() == Approx(1).epsilon(1e-3));
@@ -94,7 +79,7 @@ TEMPLATE_TEST_CASE("both worlds, kinematic: a lift carries its load up and down"
     for (int i = 1; i <= 240; ++i) {
         const double height = 0.3 * (1 - std::cos(M_PI * i * tick));
         path.setWorldTransform(to_bullet(Pose{Vec3(0, 0, height), Quat::Identity()}));
-        run(scene, tick);
+        run(scene, tick, tick);
         worst = std::max(worst, std::abs(position_of(load).z() - 0.3 - height));
     }
     CHECK(worst < 0.02);
@@ -116,7 +101,7 @@ TEMPLATE_TEST_CASE("both worlds, filtering: three kinds, of which two meet", "[b
     scene.world->addRigidBody(&through, blue, ground | blue);
     scene.world->addRigidBody(&upon, red, ground | red);
     scene.world->addRigidBody(&below, red, ground | red);
-    run(scene, 1.2);
+    run(scene, 1.2, tick);
     CHECK(position_of(first).z() == Approx(0.2).margin(5e-3));
     CHECK(position_of(through).z() == Approx(0.2).margin(5e-3));
     CHECK(position_of(below).z() == Approx(0.2).margin(5e-3));
@@ -130,7 +115,7 @@ TEMPLATE_TEST_CASE("both worlds, rays: a fan of rays sees the field of boxes", "
     for (int i = 0; i < 9; ++i) {
         scene.add(1, box, Vec3(i % 3 - 1, i / 3 - 1, 0.2));
     }
-    run(scene, 0.2);
+    run(scene, 0.2, tick);
     int boxes = 0, plates = 0, sky = 0;
     for (int i = -20; i <= 20; ++i) {
         for (int j = -20; j <= 20; ++j) {
@@ -167,7 +152,7 @@ TEMPLATE_TEST_CASE("both worlds, gyroscopic: a handle that spins about its middl
     body.setAngularVelocity(btVector3(0.05, 8, 0));
     double lowest = 1;
     for (int i = 0; i < 300; ++i) {
-        run(scene, tick);
+        run(scene, tick, tick);
         lowest = std::min(lowest, body.getWorldTransform().getBasis().getColumn(1).y());
     }
     CHECK(lowest < -0.8);

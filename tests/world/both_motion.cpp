@@ -9,8 +9,6 @@
 using namespace scree;
 using namespace scree::test;
 
-#define BOTH_WORLDS DynamicsWorld, btDiscreteDynamicsWorld
-
 namespace {
 
 constexpr double tick = 1.0 / 240;

@@ -2,24 +2,15 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
-#include <cstring>
-#include <string>
 
-#include <tests/world/bullet_scene.hpp>
+#include <tests/world/steps.hpp>
 
 using namespace scree;
 using namespace scree::test;
 
-#define BOTH_WORLDS DynamicsWorld, btDiscreteDynamicsWorld
-
 namespace {
 
 constexpr double tick = 0.01;
-
-template <class World>
-btRigidBody& add_box(SceneOf<World>& scene, const Vec3& at) {
-    return scene.add(1, scene.template shape<btBoxShape>(btVector3(0.5, 0.5, 0.5)), at);
-}
 
 template <class World>
 bool ray_hits(const SceneOf<World>& scene, double x) {
@@ -129,18 +120,6 @@ TEMPLATE_TEST_CASE("both worlds: vehicles and characters are actions", "[both]",
     scene.world->removeCharacter(&character);
     scene.world->stepSimulation(tick, 1, tick);
     CHECK(vehicle.updates == 2);
-}
-
-TEMPLATE_TEST_CASE("both worlds: a world is serialised", "[both]", BOTH_WORLDS) {
-    SceneOf<TestType> scene;
-    scene.add(0, scene.template shape<btStaticPlaneShape>(btVector3(0, 0, 1), 0), Vec3::Zero());
-    scene.add(1, scene.box(Vec3::Constant(0.4)), Vec3(0, 0, 0.2));
-    scene.world->stepSimulation(tick, 1, tick);
-    btDefaultSerializer serializer;
-    scene.world->serialize(&serializer);
-    const auto* start = reinterpret_cast<const char*>(serializer.getBufferPointer());
-    CHECK(std::string(start, 7) == "BULLETd");
-    CHECK(serializer.getCurrentBufferSize() > 1000);
 }
 
 TEMPLATE_TEST_CASE("both worlds: a broadphase may be set while the world is empty", "[both]", BOTH_WORLDS) {

@@ -8,6 +8,9 @@
 #include <scree/mesh/mass_properties.hpp>
 #include <scree/world/dynamics_world.hpp>
 
+/// For TEMPLATE_TEST_CASE: what holds in this world and in Bullet's own.
+#define BOTH_WORLDS DynamicsWorld, btDiscreteDynamicsWorld
+
 namespace scree::test {
 
 /// A world, this one's or Bullet's own, with everything that Bullet wants beside it, and bodies that go with

@@ -2,26 +2,12 @@
 
 #include <BulletCollision/CollisionDispatch/btGhostObject.h>
 
-#include <tests/world/bullet_scene.hpp>
+#include <tests/world/steps.hpp>
 
 using namespace scree;
 using namespace scree::test;
 
 namespace {
-
-void step(BulletScene& scene, int ticks) {
-    for (int i = 0; i < ticks; ++i) {
-        scene.world->stepSimulation(0.01, 1, 0.01);
-    }
-    INFO(scene.world->step_report().message);
-    REQUIRE_FALSE(scene.world->step_report().failed);
-}
-
-btRigidBody& add_cube(BulletScene& scene, double x, double z) {
-    btRigidBody& cube = scene.add(1, scene.box(Vec3::Constant(0.1)), Vec3(x, 0, z));
-    scene.world->set_material(cube, rock(1e9));
-    return cube;
-}
 
 const Contact* contact_of(const BulletScene& scene, const btRigidBody& a, const btRigidBody& b) {
     const int one = scene.world->body_number(a);

@@ -4,20 +4,12 @@
 
 #include <demos/cohesion/sintering_law.hpp>
 #include <demos/hertz_mindlin/elastic_spheres_law.hpp>
-#include <tests/world/bullet_scene.hpp>
+#include <tests/world/steps.hpp>
 
 using namespace scree;
 using namespace scree::test;
 
 namespace {
-
-void step(BulletScene& scene, int ticks, double tick = 0.01) {
-    for (int i = 0; i < ticks; ++i) {
-        scene.world->stepSimulation(tick, 0);
-    }
-    INFO(scene.world->step_report().message);
-    REQUIRE_FALSE(scene.world->step_report().failed);
-}
 
 // The built-in law as a user's, with and without its derivative.
 struct WithRates {

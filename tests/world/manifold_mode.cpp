@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include <tests/support/solids.hpp>
-#include <tests/world/bullet_scene.hpp>
+#include <tests/world/steps.hpp>
 
 using namespace scree;
 using namespace scree::test;
@@ -16,14 +16,6 @@ constexpr double edge = 0.1;
 constexpr double mass = 1.3;
 constexpr double gravity = 9.81;
 constexpr double youngs_modulus = 1e8;
-
-void run(BulletScene& scene, double time) {
-    for (int i = 0; i < static_cast<int>(std::lround(time / 0.01)); ++i) {
-        scene.world->stepSimulation(0.01, 0);
-    }
-    INFO(scene.world->step_report().message);
-    REQUIRE_FALSE(scene.world->step_report().failed);
-}
 
 void slope(BulletScene& scene, double angle) {
     scene.world->setGravity(btVector3(gravity * std::sin(angle), 0, -gravity * std::cos(angle)));
@@ -82,7 +74,7 @@ TEST_CASE("by Bullet's manifolds a cube sinks in by m g/(Y Lc), on a plane and o
                                    : scene.shape<btBoxShape>(btVector3(edge / 2, edge / 2, edge / 2));
     btRigidBody& box = scene.add(mass, shape, Vec3(0.3, 0.2, edge / 2 + 1e-3));
     make_of(scene, {&floor, &box});
-    run(scene, 2);
+    run(scene, 2, 0.01);
     const double length = 2 * sphere_radius(edge * edge * edge);
     const double sunk = mass * gravity / (youngs_modulus * length);
     CHECK(edge / 2 - position_of(box).z() == Approx(sunk).epsilon(0.4));  // corners may share it unevenly
@@ -100,9 +92,9 @@ TEST_CASE("by Bullet's manifolds a block holds on a slope below the angle of fri
         btRigidBody& floor = scene.add(0, scene.shape<btBoxShape>(btVector3(9, 9, 0.5)), Vec3(0, 0, -0.5));
         btRigidBody& box = scene.add(mass, scene.box(Vec3::Constant(edge)), Vec3(0, 0, edge / 2));
         make_of(scene, {&floor, &box});
-        run(scene, 0.5);
+        run(scene, 0.5, 0.01);
         const double speed = box.getLinearVelocity().x();
-        run(scene, 0.5);
+        run(scene, 0.5, 0.01);
         const double slide = gravity * (std::sin(angle) - 0.5 * std::cos(angle));
         const double gained = box.getLinearVelocity().x() - speed;
         CHECK(gained == Approx(angle < 0.46 ? 0 : 0.5 * slide).epsilon(0.05).margin(0.01));
@@ -119,7 +111,7 @@ TEST_CASE("by Bullet's manifolds balls and cylinders roll") {
                                        : scene.shape<btCylinderShapeZ>(btVector3(0.05, 0.05, 0.08));
         btRigidBody& body = scene.add(mass, shape, Vec3(0, 0, 0.05), turned(M_PI / 2, Vec3::UnitX()));
         make_of(scene, {&floor, &body});
-        run(scene, 1);
+        run(scene, 1, 0.01);
         const double share = ball ? 1.4 : 1.5;
         CHECK(body.getLinearVelocity().x() == Approx(gravity * std::sin(0.2) / share).epsilon(0.01));
     }
@@ -136,7 +128,7 @@ TEST_CASE("by Bullet's manifolds nothing passes a thin plate between two ticks")
     for (btRigidBody* body : {&ball, &box}) {
         body->setLinearVelocity(btVector3(0, 0, -50));
     }
-    run(scene, 0.1);
+    run(scene, 0.1, 0.01);
     CHECK(position_of(ball).z() > 0);
     CHECK(position_of(box).z() > 0);
     CHECK(ball.getLinearVelocity().z() > 0);
@@ -158,7 +150,7 @@ TEST_CASE("bodies rest and roll on meshes of triangles and height fields, whatev
     btRigidBody& rod = scene.add(mass, scene.shape<btCapsuleShapeZ>(0.05, 0.1), Vec3(2, 0.2, 0.051),
                                  turned(M_PI / 2, Vec3::UnitX()));
     make_of(scene, {&ground, &box, &top, &ball, &rod});
-    run(scene, 1.5);
+    run(scene, 1.5, 0.01);
     CHECK(position_of(box).z() == Approx(edge / 2).margin(2e-4));
     CHECK(position_of(top).z() == Approx(1.5 * edge).margin(4e-4));
     CHECK(position_of(ball).z() == Approx(0.05).margin(2e-4));
@@ -169,13 +161,13 @@ TEST_CASE("bodies rest and roll on meshes of triangles and height fields, whatev
     CHECK(scene.world->step_report().contacts == 4);
     CHECK(manifold_points(scene) > 6);
     ball.setLinearVelocity(btVector3(0.5, 0, 0));
-    run(scene, 1);
+    run(scene, 1, 0.01);
     CHECK(position_of(ball).x() > -1.75);
     scene.destroy(box);
-    run(scene, 0.05);
+    run(scene, 0.05, 0.01);
     scene.world->removeRigidBody(&ground);
     CHECK(manifold_points(scene) == 0);
-    run(scene, 0.2);
+    run(scene, 0.2, 0.01);
     CHECK(position_of(ball).z() < 0);
     scene.world->addRigidBody(&ground);
 }
@@ -191,7 +183,7 @@ TEST_CASE("a hull's margin counts where Bullet's manifold does") {
     hull.setMargin(0.02);
     btRigidBody& box = scene.add(mass, hull, Vec3(0, 0, 0.16));
     make_of(scene, {&floor, &box});
-    run(scene, 1);
+    run(scene, 1, 0.01);
     CHECK(position_of(box).z() == Approx(0.12).margin(2e-4));
 }
 
@@ -215,16 +207,16 @@ TEST_CASE("the source of geometry may change while running, and explicit methods
     for (const btRigidBody* body : {&floor, &box}) {
         scene.world->set_material(*body, rock(1e7));
     }
-    run(scene, 0.1);
+    run(scene, 0.1, 0.01);
     const int with_overlap = manifold_points(scene);
     CHECK(with_overlap == 4);
     scene.world->set_contact_geometry(GeometrySource::manifold);
     CHECK(scene.world->system().contacts.empty());
-    run(scene, 0.3);
+    run(scene, 0.3, 0.01);
     const double length = 2 * sphere_radius(edge * edge * edge);
     CHECK(edge / 2 - position_of(box).z() == Approx(mass * gravity / (1e7 * length)).epsilon(0.2));
     scene.world->set_contact_geometry(GeometrySource::overlap);
-    run(scene, 0.3);
+    run(scene, 0.3, 0.01);
     CHECK(edge / 2 - position_of(box).z() ==
           Approx(mass * gravity * length / (1e7 * edge * edge)).epsilon(0.02));
 }

@@ -6,20 +6,12 @@
 #include <cstring>
 
 #include <tests/support/random.hpp>
-#include <tests/world/bullet_scene.hpp>
+#include <tests/world/steps.hpp>
 
 using namespace scree;
 using namespace scree::test;
 
 namespace {
-
-void step(BulletScene& scene, int ticks) {
-    for (int i = 0; i < ticks; ++i) {
-        scene.world->stepSimulation(0.01, 1, 0.01);
-    }
-    INFO(scene.world->step_report().message);
-    REQUIRE_FALSE(scene.world->step_report().failed);
-}
 
 std::vector<btPersistentManifold*> touching(BulletScene& scene) {
     std::vector<btPersistentManifold*> found;

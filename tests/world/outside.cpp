@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include <tests/world/bullet_scene.hpp>
+#include <tests/world/steps.hpp>
 
 using namespace scree;
 using namespace scree::test;
@@ -11,14 +11,6 @@ namespace {
 
 constexpr double tolerance = 3e-3;        // some steps' worth of the default one, 1e-3
 const double size = sphere_radius(1e-3);  // of a cube of 0.1 m
-
-void step(BulletScene& scene, int ticks, double tick = 0.01) {
-    for (int i = 0; i < ticks; ++i) {
-        scene.world->stepSimulation(tick, 1, tick);
-    }
-    INFO(scene.world->step_report().message);
-    REQUIRE_FALSE(scene.world->step_report().failed);
-}
 
 }  // namespace
 

@@ -29,6 +29,14 @@ TEST_CASE("what the world cannot do is refused when it is added") {
     SECTION("a plane that falls") {
         refused(scene.make(1, scene.shape<btStaticPlaneShape>(btVector3(0, 0, 1), 0), Vec3::Zero()));
     }
+    SECTION("additional damping, which would leave a push of a millimetre a second without effect") {
+        btRigidBody::btRigidBodyConstructionInfo info(1, nullptr, &box, btVector3(1, 1, 1));
+        info.m_additionalDamping = true;
+        btRigidBody damped(info);
+        CHECK_THROWS_WITH(scene.world->addRigidBody(&damped), Catch::Contains("m_additionalDamping"));
+        refused(damped);
+        CHECK(scene.world->body_number(damped) == -1);
+    }
     SECTION("a body that is there already") {
         refused(scene.add(1, box, Vec3::Zero()));
     }
