@@ -1,0 +1,84 @@
+// The scenes that come with scree, measured against literature and closed forms: gallery [FOLDER [SCENE...]].
+// Writes results.csv and results.md to the folder.
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <fstream>
+
+#include "scenes.hpp"
+
+namespace {
+
+using scree::gallery::Row;
+using scree::gallery::Rows;
+
+std::string text(double value) {
+    char digits[40];
+    std::snprintf(digits, sizeof digits, "%.4g", value);
+    return digits;
+}
+
+std::string bounds(const Row& row) {
+    if (row.high == scree::gallery::infinity) {
+        return "at least " + text(row.low);
+    }
+    return row.low == 0 ? "at most " + text(row.high) : text(row.low) + " to " + text(row.high);
+}
+
+std::ofstream opened(const std::filesystem::path& file) {
+    std::ofstream stream(file);
+    if (!stream) {
+        throw std::runtime_error("cannot write " + file.string());
+    }
+    return stream;
+}
+
+void write(const Rows& rows, const std::filesystem::path& folder) {
+    std::filesystem::create_directories(folder);
+    std::ofstream csv = opened(folder / "results.csv");
+    std::ofstream page = opened(folder / "results.md");
+    csv << "scene,what,measured,low,high,holds,source\n";
+    page << "| scene | what | measured | expected | by |\n|---|---|---|---|---|\n";
+    for (const Row& row : rows) {
+        csv << row.scene << ",\"" << row.what << "\"," << row.measured << ',' << row.low << ',' << row.high
+            << ',' << (row.holds() ? "yes" : "no") << ",\"" << row.source << "\"\n";
+        page << "| " << row.scene << " | " << row.what << " | " << text(row.measured) << " | " << bounds(row)
+             << (row.holds() ? "" : ", **not so**") << " | " << row.source << " |\n";
+    }
+}
+
+void print(const Rows& rows, double seconds) {
+    for (const Row& row : rows) {
+        std::printf("%-5s %-16s %-62s %10s  %-22s %s\n", row.holds() ? "holds" : "NOT", row.scene.c_str(),
+                    row.what.c_str(), text(row.measured).c_str(), bounds(row).c_str(), row.source.c_str());
+    }
+    std::printf("      (%.0f s)\n", seconds);
+    std::fflush(stdout);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) try {
+    const std::filesystem::path folder =
+        argc > 1 ? argv[1] : std::filesystem::path(SCREE_SOURCE_DIR) / "demos/gallery";
+    const std::vector<std::string> wanted(argv + std::min(argc, 2), argv + argc);
+    Rows all;
+    for (const scree::gallery::Scene& scene : scree::gallery::scenes()) {
+        if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), scene.name) == wanted.end()) {
+            continue;
+        }
+        const auto start = std::chrono::steady_clock::now();
+        const Rows rows = scene.rows();
+        print(rows, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+        all.insert(all.end(), rows.begin(), rows.end());
+    }
+    write(all, folder);
+    const bool good = std::all_of(all.begin(), all.end(), [](const Row& row) { return row.holds(); });
+    return good ? EXIT_SUCCESS : EXIT_FAILURE;
+} catch (const std::exception& error) {
+    std::fprintf(stderr, "gallery: %s\n", error.what());
+    return 2;
+}
