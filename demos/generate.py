@@ -43,7 +43,7 @@ def write(name, purpose, comment, materials, shapes, bodies, rest):
 
 def wall():
     length, height = 0.2, 0.1
-    bodies = [body("floor", "brick", ', "motion": "fixed"')]
+    bodies = [body("floor", "ground", ', "motion": "fixed"')]
     for course in range(8):
         z = (course + 0.5) * height
         if course % 2 == 0:
@@ -57,6 +57,7 @@ def wall():
         "An iron ball of 33 kg flies at 8 m/s into a wall of 52 bricks laid without mortar.",
         ["The wall stands until the ball comes, after 0.13 s. What it loses then, it loses by friction and damping: see energy.csv."],
         [
+            '"ground": {"density": 1800, "youngs_modulus": 1e9, "friction": 0.6}',
             '"brick": {"density": 1800, "youngs_modulus": 1e9, "friction": 0.6}',
             '"iron": {"density": 7800, "youngs_modulus": 1e11, "friction": 0.4}',
         ],

@@ -14,7 +14,7 @@ namespace scree::gallery {
 
 constexpr double ball_size = 0.02;  // [m], mean diameter of those in the hopper
 
-/// Rate [1/s] at which balls pass the opening of a hopper, over the middle half of them.
+/// Rate [1/s] at which balls pass the opening of a hopper, from an eighth of them to a half.
 inline double discharge(double opening, std::size_t count) {
     SceneDescription scene = shipped("hopper");
     std::get<MeshShape>(scene.shapes.at("hopper")).scale = Vec3::Constant(opening / 0.3);
@@ -30,7 +30,7 @@ inline double discharge(double opening, std::size_t count) {
     std::array<std::size_t, 2> balls{};
     std::array<double, 2> times{};
     for (const std::size_t part : {0, 1}) {
-        while (balls[part] < count * (2 * part + 1) / 4) {
+        while (balls[part] < count * (3 * part + 1) / 8) {
             advance(simulation);
             balls[part] = passed();
             times[part] = simulation.time();
@@ -39,29 +39,29 @@ inline double discharge(double opening, std::size_t count) {
     return static_cast<double>(balls[1] - balls[0]) / (times[1] - times[0]);
 }
 
-/// Of a square opening L: W = 0.74 ρ √g (L − k d)^(5/2), where 0.74 is 4/π times Beverloo's C = 0.58, k = 1.4
-/// for balls, and ρ that of a bed that is 0.6 solid.
+/// Beverloo's law of a square opening L: W = 0.74 ρ √g (L − k d)^(5/2), where 0.74 is 4/π times his C = 0.58,
+/// ρ that of a bed that is 0.6 solid, and k = 1, as found for balls and openings of a few of them.
 inline double beverloo(double opening) {
     const double volume = std::numbers::pi / 6 * std::pow(ball_size, 3);
-    return 0.74 * 0.6 / volume * std::sqrt(gravity) * std::pow(opening - 1.4 * ball_size, 2.5);
+    return 0.74 * 0.6 / volume * std::sqrt(gravity) * std::pow(opening - ball_size, 2.5);
 }
 
 inline Rows hopper_rows() {
-    const std::string source = "Beverloo et al. 1961; square: Nedderman 1992";
-    const std::array<double, 3> openings{0.075, 0.09, 0.105};
-    const std::array<std::size_t, 3> counts{300, 400, 500};
+    const std::string source = "Beverloo et al. 1961; k = 1: Mankoc et al. 2007";
+    const std::array<double, 3> openings{0.07, 0.085, 0.1};
+    const std::array<std::size_t, 3> counts{300, 400, 600};
     std::array<double, 3> rates{};
     Rows rows;
     for (std::size_t i = 0; i < 3; ++i) {
         rates[i] = discharge(openings[i], counts[i]);
-        char what[80];
-        std::snprintf(what, sizeof what, "opening of %.2f balls: rate over 0.74 ρ √g (L − 1.4 d)^(5/2)",
+        char what[100];
+        std::snprintf(what, sizeof what, "opening of %.2f balls: rate over 0.74 ρ √g (L − d)^(5/2)",
                       openings[i] / ball_size);
         rows.push_back(near("hopper", what, rates[i] / beverloo(openings[i]), 1, 0.25, source));
     }
-    const double decades = std::log((openings[2] - 1.4 * ball_size) / (openings[0] - 1.4 * ball_size));
-    rows.push_back(near("hopper", "power of L − 1.4 d by which the rate grows",
-                        std::log(rates[2] / rates[0]) / decades, 2.5, 0.15, source));
+    const double growth = std::log((openings[2] - ball_size) / (openings[0] - ball_size));
+    rows.push_back(near("hopper", "power of L − d by which the rate grows",
+                        std::log(rates[2] / rates[0]) / growth, 2.5, 0.1, source));
     return rows;
 }
 

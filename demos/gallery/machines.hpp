@@ -95,15 +95,34 @@ inline double block_flight(double strength) {
     return phase / (2 * std::numbers::pi);
 }
 
-/// The share of time in which the plate bears less than a tenth of the bed's weight.
-inline double bed_flight(double strength) {
+/// The plate with the strength of its shaking, in g.
+inline SceneDescription shaken(double strength) {
     SceneDescription scene = shipped("vibrating_plate");
     for (BodyDescription& body : scene.bodies) {
-        if (body.name == "plate") {
-            auto& motion = std::get<PrescribedMotion>(body.motion);
-            motion.amplitude = strength * gravity / std::pow(2 * std::numbers::pi * motion.frequency, 2);
+        if (auto* motion = std::get_if<PrescribedMotion>(&body.motion)) {
+            motion->amplitude = strength * gravity / std::pow(2 * std::numbers::pi * motion->frequency, 2);
         }
     }
+    return scene;
+}
+
+/// A soft flat block in place of the stones: with ζ = 1 it does not bounce.
+inline SceneDescription block_on_plate(double strength) {
+    SceneDescription scene = shaken(strength);
+    scene.fill.clear();
+    scene.shapes["block"] = BoxShape{Vec3(0.05, 0.05, 0.02)};
+    scene.materials["soft"] = scene.materials.at("rock");
+    scene.materials["soft"].normal_damping = scene.materials["steel"].normal_damping = 2;
+    BodyDescription block;
+    block.shape = "block";
+    block.material = "soft";
+    block.position.z() = 0.01;
+    scene.bodies.push_back(block);
+    return scene;
+}
+
+/// The share of time in which the plate bears less than a twentieth of what lies on it.
+inline double share_in_flight(const SceneDescription& scene) {
     Simulation simulation(scene);
     const auto plate = static_cast<int>(number_of(simulation, "plate"));
     double weight = 0;
@@ -120,21 +139,27 @@ inline double bed_flight(double strength) {
                 force += std::abs(simulation.contact_results()[i].law.force.z());
             }
         }
-        flying += force < 0.1 * weight ? 1 : 0;
+        flying += force < 0.05 * weight ? 1 : 0;
         ++looks;
     }
     return static_cast<double>(flying) / looks;
 }
 
+/// A block follows its closed form; a bed of loose stones, which lands and leaves bit by bit, only roughly.
 inline Rows vibrating_plate_rows() {
+    const std::string source = "block that does not bounce: Mehta & Luck 1990";
     Rows rows;
-    for (const double strength : {0.9, 1.2, 1.5}) {
+    const auto add = [&](const char* what, double strength, double measured, double margin) {
+        char text[100];
+        std::snprintf(text, sizeof text, "%s at A ω² = %.1f g: share of time in flight", what, strength);
         const double expected = block_flight(strength);
-        char what[80];
-        std::snprintf(what, sizeof what, "A ω² = %.1f g: share of time in flight", strength);
-        rows.push_back({"vibrating_plate", what, bed_flight(strength), expected - 0.1, expected + 0.1,
-                        "a block that does not bounce: Mehta & Luck 1990"});
+        rows.push_back(
+            {"vibrating_plate", text, measured, std::max(0.0, expected - margin), expected + margin, source});
+    };
+    for (const double strength : {0.9, 1.2, 1.5, 2.0}) {
+        add("block", strength, share_in_flight(block_on_plate(strength)), 0.03);
     }
+    add("bed of 40 stones", 1.5, share_in_flight(shaken(1.5)), 0.1);
     return rows;
 }
 
