@@ -1,5 +1,6 @@
 // The scenes that come with scree, measured against literature and closed forms: gallery [FOLDER [SCENE...]].
-// Writes results.csv and results.md to the folder.
+// Writes results.csv and results.md to the folder. gallery --list: the scenes and the moments of their
+// pictures.
 
 #include <algorithm>
 #include <chrono>
@@ -59,15 +60,30 @@ void print(const Rows& rows, double seconds) {
     std::fflush(stdout);
 }
 
+void list() {
+    for (const scree::gallery::Scene& scene : scree::gallery::scenes()) {
+        std::printf("%s %g\n", scene.name, scene.picture);
+    }
+}
+
+bool is_wanted(const scree::gallery::Scene& scene, const std::vector<std::string>& wanted) {
+    return scene.rows != nullptr &&
+           (wanted.empty() || std::find(wanted.begin(), wanted.end(), scene.name) != wanted.end());
+}
+
 }  // namespace
 
 int main(int argc, char** argv) try {
+    if (argc > 1 && std::string(argv[1]) == "--list") {
+        list();
+        return EXIT_SUCCESS;
+    }
     const std::filesystem::path folder =
         argc > 1 ? argv[1] : std::filesystem::path(SCREE_SOURCE_DIR) / "demos/gallery";
     const std::vector<std::string> wanted(argv + std::min(argc, 2), argv + argc);
     Rows all;
     for (const scree::gallery::Scene& scene : scree::gallery::scenes()) {
-        if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), scene.name) == wanted.end()) {
+        if (!is_wanted(scene, wanted)) {
             continue;
         }
         const auto start = std::chrono::steady_clock::now();
