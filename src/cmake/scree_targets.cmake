@@ -56,6 +56,8 @@ endif()
 if(VTK_FOUND)
     scree_library(vtk FOLDERS vtk
         PUBLIC scree::output PRIVATE VTK::CommonCore VTK::CommonDataModel VTK::IOXML)
+endif()
+if(TARGET scree_vtk)
     set_source_files_properties(${PROJECT_SOURCE_DIR}/src/scenes/not_in_build.cpp
         ${PROJECT_SOURCE_DIR}/src/cli/frame_writer.cpp PROPERTIES COMPILE_DEFINITIONS SCREE_HAS_VTK
         SKIP_PRECOMPILE_HEADERS ON)
