@@ -187,8 +187,9 @@ TEST_CASE("A picture looks at the bodies and not at the ground, and its colours 
     CHECK(view.radius < 0.5 * last + 1);
 
     const auto brightest = [](const std::string& bytes) {
+        const Glb file(bytes);
         double most = 0;
-        for (const auto& material : Glb(bytes).json.at("materials")) {
+        for (const auto& material : file.json.at("materials")) {
             most = std::max(most, material.at("pbrMetallicRoughness").at("baseColorFactor")[0].get<double>());
         }
         return most;
