@@ -1,6 +1,6 @@
 // The scenes that come with scree, measured against literature and closed forms: gallery [FOLDER [SCENE...]].
-// Writes results.csv and results.md to the folder. gallery --list: the scenes and the moments of their
-// pictures.
+// Writes results.csv and results.md to the folder, in which other scenes keep the results they have. gallery
+// --list: the scenes and the moments of their pictures.
 
 #include <algorithm>
 #include <chrono>
@@ -8,6 +8,8 @@
 #include <cstdlib>
 #include <exception>
 #include <fstream>
+#include <iterator>
+#include <sstream>
 
 #include "scenes.hpp"
 
@@ -29,26 +31,63 @@ std::string bounds(const Row& row) {
     return row.low == 0 ? "at most " + text(row.high) : text(row.low) + " to " + text(row.high);
 }
 
-std::ofstream opened(const std::filesystem::path& file) {
+using Lines = std::vector<std::string>;
+
+// A line of results.csv and one of results.md.
+std::string table_line(const Row& row) {
+    std::ostringstream line;
+    line << row.scene << ",\"" << row.what << "\"," << row.measured << ',' << row.low << ',' << row.high
+         << ',' << (row.holds() ? "yes" : "no") << ",\"" << row.source << '"';
+    return line.str();
+}
+std::string page_line(const Row& row) {
+    return "| " + row.scene + " | " + row.what + " | " + text(row.measured) + " | " + bounds(row) +
+           (row.holds() ? "" : ", **not so**") + " | " + row.source + " |";
+}
+
+Lines lines_of(const std::filesystem::path& file) {
+    Lines lines;
+    std::ifstream stream(file);
+    for (std::string line; std::getline(stream, line);) {
+        lines.push_back(line);
+    }
+    return lines;
+}
+
+// Replaces a file's lines of the scenes that were measured and keeps those of the others, which begin with
+// `before`, the scene and `after`.
+void renew(const std::filesystem::path& file, const Lines& head, const std::string& before,
+           const std::string& after, const Rows& rows, std::string (*line_of)(const Row&)) {
+    Lines lines = head;
+    const Lines old = lines_of(file);
+    for (const scree::gallery::Scene& scene : scree::gallery::scenes()) {
+        Lines fresh;
+        for (const Row& row : rows) {
+            if (row.scene == scene.name) {
+                fresh.push_back(line_of(row));
+            }
+        }
+        const std::string start = before + scene.name + after;
+        if (fresh.empty()) {
+            std::copy_if(old.begin(), old.end(), std::back_inserter(fresh),
+                         [&](const std::string& line) { return line.starts_with(start); });
+        }
+        lines.insert(lines.end(), fresh.begin(), fresh.end());
+    }
     std::ofstream stream(file);
-    if (!stream) {
+    for (const std::string& line : lines) {
+        stream << line << '\n';
+    }
+    if (!stream.flush()) {
         throw std::runtime_error("cannot write " + file.string());
     }
-    return stream;
 }
 
 void write(const Rows& rows, const std::filesystem::path& folder) {
     std::filesystem::create_directories(folder);
-    std::ofstream csv = opened(folder / "results.csv");
-    std::ofstream page = opened(folder / "results.md");
-    csv << "scene,what,measured,low,high,holds,source\n";
-    page << "| scene | what | measured | expected | by |\n|---|---|---|---|---|\n";
-    for (const Row& row : rows) {
-        csv << row.scene << ",\"" << row.what << "\"," << row.measured << ',' << row.low << ',' << row.high
-            << ',' << (row.holds() ? "yes" : "no") << ",\"" << row.source << "\"\n";
-        page << "| " << row.scene << " | " << row.what << " | " << text(row.measured) << " | " << bounds(row)
-             << (row.holds() ? "" : ", **not so**") << " | " << row.source << " |\n";
-    }
+    renew(folder / "results.csv", {"scene,what,measured,low,high,holds,source"}, "", ",", rows, table_line);
+    renew(folder / "results.md", {"| scene | what | measured | expected | by |", "|---|---|---|---|---|"},
+          "| ", " | ", rows, page_line);
 }
 
 void print(const Rows& rows, double seconds) {
