@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Writes the meshes of this folder: ./generate.py
 
-Every solid is convex and closed, its triangles counter-clockwise from outside, in metres. The stones are hulls of
-random points; their seeds stand below. Python's random() gives the same numbers everywhere.
+Triangles are counter-clockwise from outside, lengths in metres. The stones are hulls of random points; their seeds
+stand below. What is in bad/ is no mesh, on purpose. Python's random() gives the same numbers everywhere.
 """
 import itertools
 import math
@@ -211,6 +211,44 @@ def arch(parts, inner, outer):
     return rim + [[inner * math.cos(t), inner * math.sin(t)] for t in reversed(turns)]
 
 
+def voussoir(thickness, stones):
+    """A stone of a round arch of mean radius 1 about the y axis, at its crown; the frame is the arch's centre."""
+    half = math.pi / stones / 2
+    return [
+        [side * r * math.sin(half), y, r * math.cos(half)]
+        for y in (-0.15, 0.15)
+        for r in (1 - thickness / 2, 1 + thickness / 2)
+        for side in (-1, 1)
+    ]
+
+
+def tube(sides):
+    """An open drum about the y axis, its facets at distance 1 from it, looking inward."""
+    radius = 1 / math.cos(math.pi / sides)
+    turns = [2 * math.pi * (i + 0.5) / sides for i in range(sides)]
+    points = [[radius * math.cos(t), y, radius * math.sin(t)] for y in (-1, 1) for t in turns]
+    triangles = []
+    for i in range(sides):
+        j = (i + 1) % sides
+        triangles += [(i, j, j + sides), (i, j + sides, i + sides)]
+    return points, triangles
+
+
+BAD = {
+    "flat": ("a square without thickness", "lie in one plane", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n"),
+    "not_finite": ("a tetrahedron with a corner nowhere", "not finite", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 nan\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n"),
+    "no_such_corner": ("a face with a corner that is not there", "index out of range", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 9\nf 2 3 4\nf 3 1 4\n"),
+    "points": ("a cloud of points", "no triangles", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\np 1\np 2\np 3\np 4\n"),
+}
+
+
+def write_bad():
+    """Files that must be refused; the first line of each says why."""
+    (FOLDER / "bad").mkdir(exist_ok=True)
+    for name, (what, why, text) in BAD.items():
+        (FOLDER / "bad" / f"{name}.obj").write_text(f"# {what}: refused, {why}\n{text}")
+
+
 def mug():
     """A square mug of cells: floor, walls and a handle."""
     cells = {(x, y, 0) for x in range(6) for y in range(6)}
@@ -229,6 +267,13 @@ def main():
     rims = [[[x * r, y * r, z] for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1))] for r, z in ((0.15, 0), (1, 1))]
     sides = [t for i in range(4) for j in [(i + 1) % 4] for t in ((j, i, i + 4), (j, i + 4, j + 4))]
     write_surface("hopper", rims[0] + rims[1], sides, "square hopper, 0.3 wide below and 2 wide at height 1; faces look inward")
+    write_surface("drum", *tube(24), "hollow drum of radius 1 and length 2 about the y axis, open, of 24 facets that look inward")
+    for permille in (100, 107, 108, 120):
+        comment = f"one of 18 stones of a round arch of mean radius 1, {permille / 1000} thick, 0.3 deep; the frame is the arch's centre"
+        write(f"voussoir_{permille}", voussoir(permille / 1000, 18), comment)
+    write("brick", [[2 * x, y, z] for x, y, z in box(1, 1, -0.5, 0.5)], "brick 2 by 1 by 1 about the origin")
+    write("triangular_prism", prism(3, 0.5, 0.6), "triangular prism in a circle of radius 0.5, 0.6 high along z, about the origin")
+    write_bad()
     write("cube", box(1, 1, -0.5, 0.5), "cube of edge 1 about the origin")
     write("slab", box(1, 1, -0.1, 0), "slab 1 by 1 by 0.1, its top in the plane z = 0")
     write("hexagonal_prism", prism(6, 0.5, 0.6), "hexagonal prism of edge 0.5 and height 0.6 along z, about the origin")

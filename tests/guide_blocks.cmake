@@ -33,7 +33,7 @@ endfunction()
 
 function(guide_scene name text)
     file(GENERATE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/guide/${name}.json CONTENT "${text}")
-    add_test(NAME guide.${name} COMMAND scree_program run guide/${name}.json --quiet --out guide/${name}_out
+    add_test(NAME guide.scene_${name} COMMAND scree_program run guide/${name}.json --quiet --out guide/${name}_out
         WORKING_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR})
 endfunction()
 

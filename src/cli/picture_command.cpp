@@ -19,6 +19,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr double brightness = 1.6;  // of colours, for f3d has one weak lamp
+
 std::string still(const fs::path& replay, double time) {
     std::ifstream stream(replay, std::ios::binary);
     const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
@@ -51,16 +53,25 @@ int run_program(std::vector<std::string> words) {
                                                                                       : -1;
 }
 
+std::string listed(const Vec3& v) {
+    return std::to_string(v.x()) + "," + std::to_string(v.y()) + "," + std::to_string(v.z());
+}
+
 /// By f3d, on a display of its own where there is none.
-void render(const fs::path& model, const fs::path& picture) {
+void render(const fs::path& model, const StillView& view, const fs::path& picture) {
+    // From the front, the right and above; all of it within the 30 degrees that f3d sees.
+    constexpr double distance = 3.2;
+    const Vec3 from = view.centre + distance * view.radius * Vec3(0.42, 0.44, 0.79).normalized();
     std::vector<std::string> words = {"f3d",
                                       model.string(),
                                       "--output",
                                       picture.string(),
-                                      "--resolution=1280,800",
+                                      "--resolution=960,600",
                                       "--up=+Y",
-                                      "--camera-azimuth-angle=30",
-                                      "--camera-elevation-angle=25",
+                                      "--camera-position=" + listed(from),
+                                      "--camera-focal-point=" + listed(view.centre),
+                                      "--camera-view-up=0,1,0",
+                                      "--fxaa",
                                       "--bg-color=0.96,0.96,0.95"};
     if (std::getenv("DISPLAY") == nullptr) {
         words.insert(words.begin(), {"xvfb-run", "-a"});
@@ -82,10 +93,10 @@ int picture_command(const PictureRequest& request) {
         write_whole(file, model);
     } else {
         const fs::path between = file.string() + ".glb";
-        write_whole(between, model);
+        write_whole(between, brightened(model, brightness));
         std::error_code ignored;
         fs::remove(file, ignored);
-        render(between, file);
+        render(between, view_of_still(model), file);
         fs::remove(between, ignored);
     }
     if (!request.quiet) {

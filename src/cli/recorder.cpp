@@ -63,6 +63,12 @@ Recorder::Recorder(const Simulation& simulation, OutputFolder folder, const Chec
         open(contacts_, "contacts.csv");
         names_ = names_of(simulation);
     }
+    if (wanted.replay || wanted.vtk) {
+        shown_ = shown_scene_of(simulation);
+    }
+    if (wanted.vtk) {
+        frames_.emplace(simulation, folder_, shown_);
+    }
     if (wanted.replay) {
         const auto moving = std::count_if(simulation.bodies().begin(), simulation.bodies().end(), moves);
         poses_.emplace(folder_.file(PoseSpool::file_name), static_cast<std::size_t>(moving),
@@ -104,12 +110,15 @@ void Recorder::write_rows() {
     if (poses_) {
         poses_->add(time, simulation_.report().contacts, moving_poses(simulation_));
     }
+    if (frames_) {
+        frames_->write();
+    }
 }
 
 // Of all there is so far. What it was made from goes with the last output time.
 void Recorder::write_replay() {
     const Stopwatch watch(writing_);
-    write_whole(folder_.file("replay.glb"), replay_glb(shown_scene_of(simulation_), *poses_));
+    write_whole(folder_.file("replay.glb"), replay_glb(shown_, *poses_));
     if (simulation_.tick() == simulation_.times().last()) {
         std::filesystem::remove(folder_.file(PoseSpool::file_name));
     }
@@ -154,6 +163,9 @@ void Recorder::write_checkpoint() {
     checkpoint.wall = wall();
     checkpoint.writing = writing_;
     checkpoint.state = simulation_.save();
+    if (frames_) {
+        frames_->write_list();
+    }
     write_whole(folder_.file(Checkpoint::file_name), checkpoint_bytes(checkpoint));
     checkpoint_ = simulation_.tick();
 }
@@ -162,6 +174,9 @@ void Recorder::finish(const std::string& status) {
     const std::int64_t tick = simulation_.tick();
     if (!simulation_.report().failed && tick < simulation_.times().last() && tick != checkpoint_) {
         write_checkpoint();
+    }
+    if (frames_) {
+        frames_->write_list();
     }
     if (poses_) {
         write_replay();

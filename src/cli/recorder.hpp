@@ -10,7 +10,10 @@
 #include <scree/output/energy_csv.hpp>
 #include <scree/output/output_folder.hpp>
 #include <scree/output/pose_spool.hpp>
+#include <scree/output/shown_scene.hpp>
 #include <scree/scenes/simulation.hpp>
+
+#include "frame_writer.hpp"
 
 namespace scree {
 
@@ -54,7 +57,9 @@ class Recorder {
     std::optional<BodiesCsv> bodies_;
     std::optional<EnergyCsv> energy_;
     std::optional<ContactsCsv> contacts_;
+    ShownScene shown_;  ///< of the replay and the frames
     std::optional<PoseSpool> poses_;
+    std::optional<FrameWriter> frames_;
 };
 
 }  // namespace scree

@@ -19,6 +19,7 @@ mark_as_advanced(XXHASH_INCLUDE_DIR)
 if(NOT XXHASH_INCLUDE_DIR)
     list(APPEND SCREE_LACKS xxHash)
 endif()
+find_package(VTK 9 QUIET COMPONENTS CommonCore CommonDataModel IOXML)  # without it no frames for ParaView
 include(scree_bullet)
 if(scree_bullet_missing)
     list(APPEND SCREE_LACKS Bullet)

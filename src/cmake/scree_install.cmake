@@ -19,7 +19,7 @@ if(TARGET scree_program)
     install(TARGETS scree_program RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
     # The scenes that come with it, which find their meshes as they do in the source tree.
     install(DIRECTORY ${PROJECT_SOURCE_DIR}/demos ${PROJECT_SOURCE_DIR}/meshes
-        DESTINATION ${CMAKE_INSTALL_DATADIR}/scree FILES_MATCHING PATTERN scene.json PATTERN *.obj)
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/scree FILES_MATCHING PATTERN scene.json PATTERN *.obj PATTERN bad EXCLUDE)
     install(FILES ${PROJECT_SOURCE_DIR}/src/scenes/scene.schema.json
         DESTINATION ${CMAKE_INSTALL_DATADIR}/scree)
 endif()
@@ -36,6 +36,7 @@ set(pc_libs_world " -lBulletDynamics-float64 -lBulletCollision-float64 -lLinearM
 set(pc_requires_mesh_io scree-core)
 set(pc_libs_mesh_io " -lassimp")
 set(pc_requires_output scree-core)
+set(pc_requires_vtk scree-output)
 set(pc_requires_scenes "scree-world, scree-mesh_io")
 foreach(pc_component IN LISTS SCREE_COMPONENTS)
     set(pc_requires "${pc_requires_${pc_component}}")

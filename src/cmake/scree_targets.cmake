@@ -45,7 +45,7 @@ endfunction()
 # Links the targets of ours that exist, and all others.
 function(scree_link target scope)
     foreach(library IN LISTS ARGN)
-        string(REGEX REPLACE "^scree::(core|world|mesh_io|output|scenes|reports)$" "scree_\\1" library ${library})
+        string(REGEX REPLACE "^scree::(core|world|mesh_io|output|vtk|scenes|reports)$" "scree_\\1" library ${library})
         if(TARGET ${library} OR NOT library MATCHES "^scree_")
             target_link_libraries(${target} ${scope} ${library})
         endif()
@@ -67,6 +67,15 @@ if(TARGET scree_output)
     configure_file(${PROJECT_SOURCE_DIR}/src/output/page_template.hpp.in
         ${PROJECT_BINARY_DIR}/generated/output/page_template.hpp @ONLY)
     target_include_directories(scree_output PRIVATE ${PROJECT_BINARY_DIR}/generated/output)
+endif()
+if(VTK_FOUND)
+    scree_library(vtk FOLDERS vtk NEEDS scree_output
+        PUBLIC scree::output PRIVATE VTK::CommonCore VTK::CommonDataModel VTK::IOXML)
+endif()
+if(TARGET scree_vtk)
+    set_source_files_properties(${PROJECT_SOURCE_DIR}/src/scenes/not_in_build.cpp
+        ${PROJECT_SOURCE_DIR}/src/cli/frame_writer.cpp PROPERTIES COMPILE_DEFINITIONS SCREE_HAS_VTK
+        SKIP_PRECOMPILE_HEADERS ON)
 endif()
 scree_library(scenes FOLDERS scenes NEEDS scree_world scree_mesh_io nlohmann_json
     PUBLIC scree::world scree::mesh_io nlohmann_json::nlohmann_json
@@ -114,6 +123,6 @@ if(program_sources AND complete)
     scree_settings(scree_program)
     target_include_directories(scree_program PRIVATE
         ${PROJECT_SOURCE_DIR}/include ${PROJECT_BINARY_DIR}/include)
-    scree_link(scree_program PRIVATE scree::reports scree::scenes scree::output scree::world scree::mesh_io scree::core
+    scree_link(scree_program PRIVATE scree::reports scree::scenes scree::vtk scree::output scree::world scree::mesh_io scree::core
         CLI11::CLI11 nlohmann_json::nlohmann_json)
 endif()

@@ -137,4 +137,21 @@ ShownMesh shown_mesh(const std::string& name, const Shape& shape, const Pose& po
     return mesh;
 }
 
+ShownMesh shown_surface(const std::string& name, const TriangleMesh& triangles) {
+    ShownMesh mesh;
+    mesh.name = name;
+    const Pose place;
+    Surface surface(mesh, place);
+    for (const auto& [a, b, c] : triangles.triangles) {
+        const std::vector<Vec3> loop = {triangles.vertices[static_cast<std::size_t>(a)],
+                                        triangles.vertices[static_cast<std::size_t>(b)],
+                                        triangles.vertices[static_cast<std::size_t>(c)]};
+        const Vec3 area = (loop[1] - loop[0]).cross(loop[2] - loop[0]);
+        if (area.norm() > 0) {
+            surface.polygon(loop, area.normalized());
+        }
+    }
+    return mesh;
+}
+
 }  // namespace scree

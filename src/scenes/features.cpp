@@ -148,6 +148,7 @@ constexpr Feature features[] = {
     {"sleep", [](const S& s) { return s.stepping.sleep && s.stepping.method == SteppingMethod::bdf; }},
     {"bullet_solver", by_bullet},
     {"replay", [](const S& s) { return s.output.replay; }},
+    {"vtk_frames", [](const S& s) { return s.output.vtk; }},
     {"checkpoints", [](const S& s) { return s.output.checkpoint_every > 0; }},
 };
 

@@ -15,8 +15,10 @@ struct Absent {
 constexpr std::string_view any = "*";
 constexpr std::string_view on = "true";
 
-constexpr Absent absent[] = {
+const std::vector<Absent> absent = {
+#ifndef SCREE_HAS_VTK
     {"output.vtk", on},
+#endif
 };
 
 bool matches(const Json& value, std::string_view wanted) {

@@ -160,3 +160,41 @@ TEST_CASE("A still shows a replay at one time, between frames too", "[output]") 
     CHECK_THROWS_WITH(still_of_replay(replay.substr(0, 100), 0), Catch::Contains("expected one that scree"));
     CHECK_THROWS_WITH(still_of_replay("", 0), Catch::Contains("found no binary glTF file"));
 }
+
+TEST_CASE("A surface is shown triangle by triangle, from its front", "[output]") {
+    TriangleMesh file;
+    file.vertices = {Vec3(0, 0, 1), Vec3(2, 0, 1), Vec3(0, 3, 1)};
+    file.triangles = {{0, 1, 2}, {0, 2, 2}};  // the other has no area
+    const ShownMesh mesh = shown_surface("sheet", file);
+    REQUIRE(mesh.corners.size() == 3);
+    for (std::size_t i = 0; i < 3; ++i) {
+        CHECK(mesh.corners[i].position == file.vertices[i]);
+        CHECK(mesh.corners[i].normal == Vec3::UnitZ());
+    }
+}
+
+TEST_CASE("A picture looks at the bodies and not at the ground, and its colours are brighter", "[output]") {
+    const ShownScene scene = shapes_on_ground();
+    const std::string still = still_of_replay(replay_glb(scene, spool_of(scene, 3)), 0.1);
+    const StillView view = view_of_still(still);
+    // At 0.1 s body i is at (i, 1, 1), the box that is twice and a half as large with them; y is up in the
+    // file.
+    const double last = static_cast<double>(scene.bodies.size()) - 2;
+    CHECK(std::abs(view.centre.x() - 0.5 * last) < 0.2);
+    CHECK(std::abs(view.centre.y() - 1) < 0.1);
+    CHECK(std::abs(view.centre.z() + 1) < 0.2);
+    CHECK(view.radius > 0.5 * last);
+    CHECK(view.radius < 0.5 * last + 1);
+
+    const auto brightest = [](const std::string& bytes) {
+        const Glb file(bytes);
+        double most = 0;
+        for (const auto& material : file.json.at("materials")) {
+            most = std::max(most, material.at("pbrMetallicRoughness").at("baseColorFactor")[0].get<double>());
+        }
+        return most;
+    };
+    CHECK(brightest(brightened(still, 1.2)) == Approx(1.2 * brightest(still)).epsilon(1e-6));
+    CHECK(brightest(brightened(still, 10)) == 1);
+    check_glb(Glb(brightened(still, 1.2)));
+}

@@ -27,7 +27,7 @@ TEST_CASE("A scene uses what it enters, and leaves out the rest", "[scenes]") {
         CAPTURE(left_out);
         CHECK_FALSE(features.uses(left_out));
     }
-    CHECK(features.used.size() + features.left_out.size() == 37);
+    CHECK(features.used.size() + features.left_out.size() == 38);
 }
 
 TEST_CASE("Friction and what hangs on it are left out together", "[scenes]") {

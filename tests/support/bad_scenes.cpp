@@ -1,5 +1,7 @@
 #include <tests/support/bad_scenes.hpp>
 
+#include <span>
+
 #include <tests/scenes/small_scene.hpp>
 
 namespace scree::test {
@@ -243,12 +245,13 @@ constexpr BadSetting bad_settings[] = {
      "--set \"law={\\\"normal\\\":1,\\\"normal\\\":1}\": normal: found the key twice"},
 };
 
-constexpr BadSetting absent_settings[] = {
+const std::vector<BadSetting> absent_settings = {
+#ifndef SCREE_HAS_VTK
     {"output.vtk=true", "output.vtk: found true, which is not in this build"},
+#endif
 };
 
-template <std::size_t count>
-std::vector<BadScene> spoiled(const BadSetting (&settings)[count]) {
+std::vector<BadScene> spoiled(std::span<const BadSetting> settings) {
     std::vector<BadScene> scenes;
     for (const auto& [setting, message] : settings) {
         scenes.push_back({small_scene, setting, message});

@@ -31,7 +31,8 @@ void run(Simulation& simulation) {
 
 TEST_CASE("Every scene that comes with scree loads and says its purpose") {
     const std::vector<ShippedScene> scenes = shipped_scenes();
-    for (const char* name : {"drum", "incline", "pile", "sphere_heap", "stack"}) {
+    for (const char* name : {"arch", "conveyor", "drum", "hopper", "incline", "packing", "pile", "repose",
+                             "sphere_heap", "stack", "tower", "vibrating_plate", "wall"}) {
         CHECK(
             std::any_of(scenes.begin(), scenes.end(), [&](const auto& scene) { return scene.name == name; }));
     }

@@ -20,4 +20,14 @@ std::string replay_glb(const ShownScene& scene, const PoseSpool& spool, std::siz
 /// What a replay shows at a time [s], without motion.
 std::string still_of_replay(std::string_view replay, double time);
 
+/// A ball that holds nearly all that a still shows besides ground, in the axes of the file (y up).
+struct StillView {
+    Vec3 centre = Vec3::Zero();  ///< [m]
+    double radius = 1;           ///< [m]
+};
+StillView view_of_still(std::string_view still);
+
+/// The same still with colours that are so many times as bright, for a viewer with little light.
+std::string brightened(std::string_view still, double factor);
+
 }  // namespace scree

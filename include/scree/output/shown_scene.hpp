@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include <scree/mesh/triangle_mesh.hpp>
 #include <scree/overlap/shape.hpp>
 
 namespace scree {
@@ -27,6 +28,9 @@ struct ShownGround {
 /// The surface of a shape that is at a pose in the file's frame; of a half-space the given part.
 ShownMesh shown_mesh(const std::string& name, const Shape& shape, const Pose& pose,
                      const ShownGround& ground = {});
+
+/// Triangles as they are, seen from where they are counter-clockwise.
+ShownMesh shown_surface(const std::string& name, const TriangleMesh& triangles);
 
 /// A body to be looked at, by the frame of its file.
 struct ShownBody {
