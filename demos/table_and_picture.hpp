@@ -22,7 +22,11 @@ inline std::ofstream table(const std::filesystem::path& file, const std::string&
 
 /// Draws the tables in a folder by demos/<name>/<name>.gp as <name>.svg beside them, and says so.
 inline void draw(const std::string& name, const std::filesystem::path& out) {
-    const auto quoted = [](const std::filesystem::path& path) { return "\"" + path.string() + "\""; };
+    const auto quoted = [](const std::filesystem::path& path) {
+        std::string text = path.string();
+        text.insert(0, 1, '"');
+        return text.append(1, '"');
+    };
     const auto script = std::filesystem::path(SCREE_SOURCE_DIR) / "demos" / name / (name + ".gp");
     const auto picture = out / (name + ".svg");
     const std::string command = "gnuplot -c " + quoted(script) + " " + quoted(out) + " " + quoted(picture);

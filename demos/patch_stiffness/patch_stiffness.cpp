@@ -8,10 +8,10 @@
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
-#include <fstream>
 #include <stdexcept>
 #include <string>
 
+#include <demos/table_and_picture.hpp>
 #include <scree/scenes/friction_onset.hpp>
 #include <scree/scenes/read_scene.hpp>
 #include <scree/scenes/simulation.hpp>
@@ -21,16 +21,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* stiffnesses[] = {"length", "patch"};
-
-std::ofstream table(const fs::path& file, const std::string& header) {
-    std::ofstream stream(file);
-    if (!stream) {
-        throw std::runtime_error("cannot write " + file.string());
-    }
-    stream.precision(6);
-    stream << header << "\n";
-    return stream;
-}
 
 std::string icosahedron() {
     return std::string("{\"mesh\": \"") + SCREE_SOURCE_DIR + "/meshes/icosahedron.obj\", \"scale\": 0.05}";

@@ -14,7 +14,7 @@ namespace {
 constexpr double tick = 1.0 / 240;
 
 template <class World>
-void run(SceneOf<World>& scene, double time) {
+void in_one_call(SceneOf<World>& scene, double time) {
     scene.world->stepSimulation(time * (1 + 1e-12), 100000, tick);
 }
 
@@ -35,7 +35,7 @@ double first_order(double acceleration, double time) {
 TEMPLATE_TEST_CASE("both worlds: free fall", "[both]", BOTH_WORLDS) {
     SceneOf<TestType> scene;
     btRigidBody& box = add_box(scene);
-    run(scene, 1);
+    in_one_call(scene, 1);
     CHECK(box.getLinearVelocity().z() == Approx(-9.81).epsilon(1e-6));
     CHECK(std::abs(position_of(box).z() + 0.5 * 9.81) < first_order(9.81, 1));
 }
@@ -47,14 +47,14 @@ TEMPLATE_TEST_CASE("both worlds: forces and torques hold for a call of stepSimul
     btRigidBody& box = add_box(scene);
     box.applyCentralForce(btVector3(4, 0, 0));
     box.applyForce(btVector3(0, 2, 0), btVector3(0.5, 0, 0));
-    run(scene, 0.5);
+    in_one_call(scene, 0.5);
     CHECK(box.getLinearVelocity().x() == Approx(1).epsilon(1e-6));
     CHECK(box.getAngularVelocity().z() == Approx(0.5 / inertia).epsilon(1e-3));
-    run(scene, 0.5);
+    in_one_call(scene, 0.5);
     CHECK(box.getLinearVelocity().x() == Approx(1).epsilon(1e-6));
     box.applyTorqueImpulse(btVector3(0, 0, -0.5));
     box.applyCentralImpulse(btVector3(-2, 0, 2));
-    run(scene, 0.5);
+    in_one_call(scene, 0.5);
     CHECK(box.getLinearVelocity().x() == Approx(0).margin(1e-6));
     CHECK(box.getLinearVelocity().z() == Approx(1).epsilon(1e-6));
     CHECK(box.getAngularVelocity().length() < 1e-3);
@@ -109,7 +109,7 @@ TEMPLATE_TEST_CASE("both worlds: each body has its gravity, its damping and its 
     guided.setAngularFactor(btVector3(0, 0, 1));
     guided.setLinearVelocity(btVector3(1, 0, 0));
     guided.applyTorque(btVector3(1, 1, 1));
-    run(scene, 1);
+    in_one_call(scene, 1);
     CHECK(light.getLinearVelocity().z() == Approx(-1.62).epsilon(1e-6));
     CHECK(apart.getLinearVelocity().y() == Approx(0.6).epsilon(1e-3));
     CHECK(apart.getAngularVelocity().y() == Approx(0.4).epsilon(1e-3));
@@ -123,11 +123,11 @@ TEMPLATE_TEST_CASE("both worlds: each body has its gravity, its damping and its 
 TEMPLATE_TEST_CASE("both worlds: a body goes on from where and how it is set", "[both]", BOTH_WORLDS) {
     SceneOf<TestType> scene;
     btRigidBody& box = add_box(scene);
-    run(scene, 0.5);
+    in_one_call(scene, 0.5);
     box.setWorldTransform(to_bullet(Pose{Vec3(1, 2, 3), Quat::Identity()}));
     box.setLinearVelocity(btVector3(0, 0, 2));
     box.setAngularVelocity(btVector3(0, 0, 1));
-    run(scene, 0.5);
+    in_one_call(scene, 0.5);
     CHECK(position_of(box).x() == Approx(1));
     CHECK(std::abs(position_of(box).z() - (3 + 1 - 0.5 * 9.81 * 0.25)) < first_order(9.81, 0.5));
     const Quat turned = to_eigen(box.getWorldTransform()).orientation;
@@ -140,7 +140,7 @@ TEMPLATE_TEST_CASE("both worlds: a world's gravity set later reaches the bodies 
     btRigidBody& box = add_box(scene);
     scene.world->setGravity(btVector3(1, 0, 0));
     CHECK(scene.world->getGravity() == btVector3(1, 0, 0));
-    run(scene, 1);
+    in_one_call(scene, 1);
     CHECK(box.getLinearVelocity().x() == Approx(1).epsilon(1e-6));
     CHECK(box.getLinearVelocity().z() == 0);
 }
@@ -151,7 +151,7 @@ TEMPLATE_TEST_CASE("both worlds: a symmetric top keeps its spin", "[both]", BOTH
     btRigidBody& disc =
         scene.add(1, scene.template shape<btCylinderShapeZ>(btVector3(0.5, 0.5, 0.1)), Vec3::Zero());
     disc.setAngularVelocity(btVector3(0, 0, 10));
-    run(scene, 1);
+    in_one_call(scene, 1);
     CHECK(disc.getAngularVelocity().z() == Approx(10).epsilon(1e-6));
     const Quat turned = to_eigen(disc.getWorldTransform()).orientation;
     CHECK(std::abs(Eigen::AngleAxisd(turned).angle() - (4 * M_PI - 10)) < 1e-2);
@@ -171,7 +171,7 @@ TEMPLATE_TEST_CASE("both worlds: a kinematic body goes where its motion state is
         scene.add(2, scene.template shape<btBoxShape>(btVector3(0.2, 0.2, 0.2)), Vec3(0, 0, 3));
     for (int i = 1; i <= 120; ++i) {
         path.setWorldTransform(to_bullet(Pose{Vec3(0, 0.5 * i * tick, 0), Quat::Identity()}));
-        run(scene, tick);
+        in_one_call(scene, tick);
     }
     CHECK(position_of(driven).y() == Approx(0.25));
     CHECK(driven.getLinearVelocity().y() == Approx(0.5).epsilon(1e-6));
