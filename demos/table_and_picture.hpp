@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 
@@ -22,13 +23,13 @@ inline std::ofstream table(const std::filesystem::path& file, const std::string&
 
 /// Draws the tables in a folder by demos/<name>/<name>.gp as <name>.svg beside them, and says so.
 inline void draw(const std::string& name, const std::filesystem::path& out) {
-    const auto quoted = [](const std::filesystem::path& path) { return "\"" + path.string() + "\""; };
     const auto script = std::filesystem::path(SCREE_SOURCE_DIR) / "demos" / name / (name + ".gp");
     const auto picture = out / (name + ".svg");
-    const std::string command = "gnuplot -c " + quoted(script) + " " + quoted(out) + " " + quoted(picture);
+    std::ostringstream command;
+    command << "gnuplot -c " << script << ' ' << out << ' ' << picture;  // paths are written in quotes
     if (std::system("gnuplot --version >/dev/null 2>&1") != 0) {
         std::printf("no picture: gnuplot is not installed\n");
-    } else if (std::system(command.c_str()) == 0) {
+    } else if (std::system(command.str().c_str()) == 0) {
         std::printf("picture: %s\n", picture.c_str());
     }
 }
