@@ -60,7 +60,7 @@ std::string listed(const Vec3& v) {
 /// By f3d, on a display of its own where there is none.
 void render(const fs::path& model, const StillView& view, const fs::path& picture) {
     // From the front, the right and above; all of it within the 30 degrees that f3d sees.
-    constexpr double distance = 3.2;
+    constexpr double distance = 3.9;
     const Vec3 from = view.centre + distance * view.radius * Vec3(0.42, 0.44, 0.79).normalized();
     std::vector<std::string> words = {"f3d",
                                       model.string(),

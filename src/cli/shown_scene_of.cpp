@@ -12,6 +12,7 @@ namespace scree {
 namespace {
 
 constexpr double margin = 1.2;  // of ground beyond the bodies
+constexpr double least = 4;     // sizes of ground about what moves
 
 Vec3 centre_of(const SimulationBody& body) {
     return body.start.pose * body.solid.body_in_file.position;
@@ -59,7 +60,8 @@ ShownGround ground_of(const Simulation& simulation, const std::string& shape) {
         const Vec3 about = own.start.pose * ground.about;
         for (const SimulationBody& body : simulation.bodies()) {
             if (bounded(body)) {
-                farthest = std::max(farthest, (centre_of(body) - about).norm() + reach_of(body));
+                farthest = std::max({farthest, (centre_of(body) - about).norm() + reach_of(body),
+                                     body.dynamic() ? least / margin * reach_of(body) : 0});
             }
         }
     }
