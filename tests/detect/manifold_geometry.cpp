@@ -32,8 +32,9 @@ struct Pair {
             dispatcher, ManifoldGeometry::Side{&a, library.translate(shape_a).parts[0], 0},
             ManifoldGeometry::Side{&b, library.translate(shape_b).parts[0], 0});
     }
-    void update(const Pose& pose_a, const Pose& pose_b, double reach) {
-        geometry->update({pose_a, pose_b, reach, area}, info);
+    void update(const Pose& pose_a, const Pose& pose_b, double reach,
+                double growth = std::numeric_limits<double>::infinity()) {
+        geometry->update({pose_a, pose_b, reach, area, growth}, info);
     }
     std::optional<ContactGeometry> meet(const Pose& pose_a, const Pose& pose_b) {
         OverlapWorkspace workspace;
@@ -133,6 +134,17 @@ TEST_CASE("depth that was found and not pressed in becomes load little by little
         before = depth;
     }
     CHECK(before == Approx(0.01).epsilon(1e-3));
+}
+
+TEST_CASE("a load grows by no more than it may in one update") {
+    btSphereShape ball(0.5);
+    btStaticPlaneShape plane(btVector3(0, 0, 1), 0);
+    Pair pair(ball, plane);
+    for (int i = 1; i < 10; ++i) {
+        constexpr double growth = 1e-5;
+        pair.update(above(0.49), Pose(), 0.1, growth);
+        CHECK(pair.meet(above(0.49), Pose()).value().depth == Approx(i * growth));
+    }
 }
 
 TEST_CASE("flat triangles ahead are no wall, a step is one") {

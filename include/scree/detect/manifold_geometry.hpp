@@ -2,6 +2,8 @@
 
 #include <btBulletCollisionCommon.h>
 
+#include <limits>
+
 #include <scree/detect/body_shape.hpp>
 #include <scree/overlap/frozen_points.hpp>
 
@@ -26,11 +28,12 @@ class ManifoldGeometry final : public PairGeometry {
 
     /// Where the two are, and how near their surfaces must be to count as near.
     struct Situation {
-        Pose body_a,        ///< of the first body's frame
-            body_b;         ///< of the second one's
-        double reach = 0;   ///< [m]
-        double area = 0;    ///< [m²], that the points share
-        double growth = 0;  ///< [m], by which the load of a point that is found deep may grow in one update
+        Pose body_a,       ///< of the first body's frame
+            body_b;        ///< of the second one's
+        double reach = 0;  ///< [m]
+        double area = 0;   ///< [m²], that the points share
+        /// [m], by which the load of a point that is found deep may grow in one update, beside a tenth.
+        double growth = std::numeric_limits<double>::infinity();
     };
     /// Runs the narrowphase with the objects there for the time being, and freezes what it finds.
     void update(const Situation& now, const btDispatcherInfo& info);

@@ -25,6 +25,7 @@ struct StillView {
     Vec3 centre = Vec3::Zero();  ///< [m]
     double radius = 1;           ///< [m]
 };
+/// Of a still in binary glTF, as still_of_replay gives it.
 StillView view_of_still(std::string_view still);
 
 /// The same still with colours that are so many times as bright, for a viewer with little light.
