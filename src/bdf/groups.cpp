@@ -7,7 +7,9 @@ namespace scree {
 
 namespace {
 
-constexpr std::size_t large = 256;  // contacts, from which a group's own contacts are shared out
+// A group's own contacts are shared out from so many on, or from fewer where there is little else to do.
+constexpr std::size_t large = 256;
+constexpr std::size_t large_alone = 64;
 
 std::size_t at(int i) {
     return static_cast<std::size_t>(i);
@@ -248,7 +250,11 @@ StepOutcome Groups::advance(double end, std::span<const BodyCover> covers, std::
     std::vector<StepOutcome> outcomes(groups_.size());
     std::vector<std::size_t> small;
     for (std::size_t g = 0; g < groups_.size(); ++g) {
-        if (groups_[g]->system().contacts.size() >= large) {
+        const std::size_t contacts = groups_[g]->system().contacts.size();
+        const bool most = contacts >= large_alone && 2 * contacts >= whole_.contacts.size();
+        const bool shares = contacts >= large || most;
+        groups_[g]->integrator().set_workers(shares ? workers_ : nullptr);
+        if (shares) {
             outcomes[g] = groups_[g]->advance(end, covers, demand);
         } else {
             small.push_back(g);

@@ -9,8 +9,8 @@ namespace scree {
 
 namespace {
 
-constexpr std::size_t block = 32;          // contacts that one worker takes at a time
-constexpr std::size_t least_shared = 256;  // contacts, below which sharing costs more than it saves
+constexpr std::size_t block = 8;          // contacts that one worker takes at a time
+constexpr std::size_t least_shared = 64;  // contacts, below which sharing costs more than it saves
 
 }  // namespace
 
