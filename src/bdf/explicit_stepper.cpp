@@ -70,11 +70,7 @@ StepOutcome ExplicitStepper::step(double end) {
     if (!finite(states_)) {
         return StepOutcome::failed;
     }
-    Accumulated powers = accumulation_rates(system_, problem_);
-    if (verlet) {  // the forces were asked for with the velocities of half a step
-        add_velocity_change(system_, problem_, states_, powers);
-    }
-    accept(time, verlet ? 2 : 1, states_, powers);
+    accept(time, verlet ? 2 : 1, states_);
     return StepOutcome::accepted;
 }
 

@@ -54,12 +54,11 @@ void Integrator::remember_energies() {
     }
 }
 
-void Integrator::accept(double time, std::size_t order, std::vector<BodyState>& states,
-                        const Accumulated& powers) {
+void Integrator::accept(double time, std::size_t order, std::vector<BodyState>& states) {
     remember_contacts();
     remember_energies();
     const Accumulated before = *memory_.powers;
-    memory_.powers = powers;
+    memory_.powers = accumulation_rates(system_, problem_);
     memory_.stiffness = Stiffness::of(problem_, system_);
     const double step = time - memory_.time;
     flows_.energy.add(0.5 * step, before).add(0.5 * step, *memory_.powers);

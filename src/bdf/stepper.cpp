@@ -158,7 +158,7 @@ void Stepper::predict(double time) {
 }
 
 void Stepper::commit(double time) {
-    accept(time, problem_.formulas().order, trial_states_, accumulation_rates(system_, problem_));
+    accept(time, problem_.formulas().order, trial_states_);
     memory_.past.push(time, system_.states);
     flows_.momentum_gain +=
         total_momentum(system_) - start_momentum_ - formula_.beta_h * outside_force(system_, problem_);

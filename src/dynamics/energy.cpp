@@ -12,25 +12,6 @@ void add_prescribed(const TrialBody& body, const Vec3& force, const Vec3& moment
     rates.applied -= force.dot(body.velocity + surface) + moment.dot(body.spin);
 }
 
-struct Change {
-    Vec3 velocity = Vec3::Zero();
-    Vec3 spin = Vec3::Zero();
-};
-
-Change change_of(const Body& body, const TrialBody& trial, const BodyState& state) {
-    return body.dynamic() ? Change{velocity(body, state) - trial.velocity, spin(body, state) - trial.spin}
-                          : Change{};
-}
-
-void add_contact_change(const ContactResult& result, const Change& relative, Accumulated& rates) {
-    const ContactForce& law = result.law;
-    const Vec3 along = law.force.dot(result.normal) * result.normal;
-    const Vec3 turning = law.moment.dot(result.normal) * result.normal;
-    rates.normal -= along.dot(relative.velocity) + (law.moment - turning).dot(relative.spin);
-    rates.tangential -= (law.force - along).dot(relative.velocity);
-    (law.cells.empty() ? rates.torsion : rates.tangential) -= turning.dot(relative.spin);
-}
-
 }  // namespace
 
 Accumulated& Accumulated::add(double factor, const Accumulated& other) {
@@ -85,37 +66,6 @@ Accumulated accumulation_rates(const System& system, const StepProblem& problem)
         }
     }
     return rates;
-}
-
-void add_velocity_change(const System& system, const StepProblem& problem, std::span<const BodyState> states,
-                         Accumulated& rates) {
-    const auto change = [&](std::size_t b) {
-        return change_of(system.bodies[b], problem.trial()[b], states[b]);
-    };
-    for (std::size_t b = 0; b < system.bodies.size(); ++b) {
-        const Body& body = system.bodies[b];
-        const Change own = change(b);
-        rates.applied += body.force.dot(own.velocity) + body.torque.dot(own.spin);
-        if (body.restraint != nullptr) {
-            const StepProblem::Hold& hold = problem.holds()[b];
-            rates.applied += hold.force.dot(own.velocity) + hold.torque.dot(own.spin);
-        }
-    }
-    const auto results = problem.results();
-    for (std::size_t i = 0; i < results.size(); ++i) {
-        if (!results[i].touching || results[i].law.state == ContactState::open) {
-            continue;
-        }
-        const auto at_contact = [&](int number) {
-            const auto b = static_cast<std::size_t>(number);
-            const Change own = change(b);
-            const Vec3 arm = results[i].point - problem.trial()[b].pose.position;
-            return Change{own.velocity + own.spin.cross(arm), own.spin};
-        };
-        const Change a = at_contact(system.contacts[i].a.body);
-        const Change b = at_contact(system.contacts[i].b.body);
-        add_contact_change(results[i], {a.velocity - b.velocity, a.spin - b.spin}, rates);
-    }
 }
 
 Vec3 outside_force(const System& system, const StepProblem& problem) {

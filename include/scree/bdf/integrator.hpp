@@ -101,8 +101,8 @@ class Integrator {
     /// in a `moment` [s].
     void evaluate_present(Eigen::VectorXd& u, double moment = 0);
     /// Makes `states` and the trial contact records of the problem history, and adds the step to the flows,
-    /// by the trapezoidal rule up to these `powers`: exact to second order whatever the order of the step.
-    void accept(double time, std::size_t order, std::vector<BodyState>& states, const Accumulated& powers);
+    /// by the trapezoidal rule: exact to second order whatever the order of the step.
+    void accept(double time, std::size_t order, std::vector<BodyState>& states);
     /// What the contacts hold at the last evaluation.
     void remember_energies();
 

@@ -33,12 +33,6 @@ struct Flows {
 /// The rates of what is accumulated, at the problem's last evaluation [W].
 Accumulated accumulation_rates(const System& system, const StepProblem& problem);
 
-/// What these rates become when the bodies move as in `states`, by a little otherwise than at the evaluation:
-/// the forces as they were, with those velocities. Contacts' forces count along the normal, across it, and
-/// turning.
-void add_velocity_change(const System& system, const StepProblem& problem, std::span<const BodyState> states,
-                         Accumulated& rates);
-
 /// The sum of all forces on dynamic bodies but those of one dynamic body on another [N], at the last
 /// evaluation.
 Vec3 outside_force(const System& system, const StepProblem& problem);
