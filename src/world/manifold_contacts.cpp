@@ -1,14 +1,16 @@
 #include "manifold_contacts.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace scree {
 
 namespace {
 
-constexpr double most_turn = 0.1;   // [rad], while points stay frozen
-constexpr double most_slide = 0.2;  // of Lc, of bodies that touch
-constexpr double push = 0.01;       // of the speed of a fall by Lc, with which what is found deep comes out
+constexpr double most_turn = 0.1;    // [rad], while points stay frozen
+constexpr double most_slide = 0.2;   // of Lc, of bodies that touch
+constexpr double least_span = 1e-4;  // share of the time asked for, however fast a body is
+constexpr double push = 0.01;        // of the speed of a fall by Lc, with which what is found deep comes out
 constexpr double earth_gravity = 9.81;  // [m/s²]
 
 Pose pose_of(const System& system, int body) {
@@ -42,6 +44,7 @@ double sliding(const System& system, const Contact& contact) {
 }  // namespace
 
 double ManifoldContacts::most_span(const System& system, double span) const {
+    const double least = least_span * span;
     for (const Contact& contact : system.contacts) {
         if (!made_.contains(contact.geometry.get())) {
             continue;
@@ -52,7 +55,7 @@ double ManifoldContacts::most_span(const System& system, double span) const {
         const double pace = std::max(turns / most_turn, slides / (most_slide * contact.pair.length));
         span = pace * span > 1 ? 1 / pace : span;
     }
-    return span;
+    return std::max(span, least);
 }
 
 bool ManifoldContacts::wanted(const BodyPart& a, const BodyPart& b) const {
