@@ -9,7 +9,7 @@ namespace scree {
 
 namespace {
 
-constexpr std::size_t block = 8;          // contacts that one worker takes at a time
+constexpr std::size_t share = 8;          // contacts that one worker takes at a time
 constexpr std::size_t least_shared = 64;  // contacts, below which sharing costs more than it saves
 
 }  // namespace
@@ -54,9 +54,9 @@ void StepProblem::evaluate_contacts() {
         forces_.evaluate(contacts, trial_, formulas_, detail_, results_);
         return;
     }
-    workers_->run((contacts.size() + block - 1) / block, [&](std::size_t i) {
-        const std::size_t begin = i * block;
-        const std::size_t size = std::min(block, contacts.size() - begin);
+    workers_->run((contacts.size() + share - 1) / share, [&](std::size_t i) {
+        const std::size_t begin = i * share;
+        const std::size_t size = std::min(share, contacts.size() - begin);
         forces_.evaluate(contacts.subspan(begin, size), trial_, formulas_, detail_,
                          std::span(results_).subspan(begin, size));
     });

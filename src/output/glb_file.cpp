@@ -12,7 +12,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::string_view start = "glTF\2\0\0\0";
 constexpr std::size_t start_bytes = 8;
-constexpr std::size_t head_bytes = 8;  // of a chunk: its size and its kind
 constexpr std::string_view json_kind = "JSON";
 constexpr std::string_view binary_kind{"BIN\0", 4};
 

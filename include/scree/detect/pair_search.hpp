@@ -28,10 +28,6 @@ struct PartPair {
     int part_a = 0;  ///< place of the part in A
     int part_b = 0;  ///< place of the part in B
 
-    friend void visit_state(auto& with, StateOf<PartPair> auto& pair) {
-        auto& [body_a, body_b, part_a, part_b] = pair;
-        with(body_a, body_b, part_a, part_b);
-    }
     /// The same parts.
     bool operator==(const PartPair&) const = default;
     /// By bodies, then by parts.
@@ -40,6 +36,10 @@ struct PartPair {
                std::tie(other.body_a, other.body_b, other.part_a, other.part_b);
     }
 };
+void visit_state(auto& with, StateOf<PartPair> auto& pair) {
+    auto& [body_a, body_b, part_a, part_b] = pair;
+    with(body_a, body_b, part_a, part_b);
+}
 
 /// Finds the pairs of parts that are nearer to each other than their bodies' reaches together. Bullet's
 /// broadphase finds the candidates and its filters choose among them; what is left of them after tests with
