@@ -81,9 +81,17 @@ std::string_view checked_body(std::string_view bytes) {
     return body;
 }
 
+// What a file says it is of, for an error message: not too long, and nothing in it that is not to be read.
+std::string readable(const std::string& text) {
+    constexpr std::size_t longest = 40;
+    const std::string quoted =
+        Json(text.substr(0, longest)).dump(-1, ' ', true, Json::error_handler_t::replace);
+    return quoted.substr(1, quoted.size() - 2);
+}
+
 Checkpoint checkpoint_of(const Json& json) {
     if (const auto other = json.at("scree").get<std::string>(); other != version) {
-        throw CheckpointError("one of scree " + other, std::string("one of scree ") + version);
+        throw CheckpointError("one of scree " + readable(other), std::string("one of scree ") + version);
     }
     Checkpoint checkpoint;
     json.at("scene").get_to(checkpoint.scene);
