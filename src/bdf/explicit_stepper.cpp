@@ -9,7 +9,7 @@ namespace {
 // With the inertia as it lies in the middle of the step: at its beginning the turn of a free body would be of
 // first order.
 Vec3 middle_spin(const Body& body, const BodyState& state, double step) {
-    const Vec3 now = spin(body, state);
+    Vec3 now = spin(body, state);
     const bool held = body.restraint != nullptr && body.restraint->holds_spin();
     if (held || !body.dynamic()) {
         return now;
