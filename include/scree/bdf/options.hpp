@@ -18,9 +18,11 @@ enum class Solver {
 
 /// How the steps of a system are made.
 struct SteppingOptions {
-    Method method = Method::bdf;        ///< of stepping
-    std::size_t max_order = 2;          ///< of BDF, 1 to 5; only 1 and 2 are A-stable
-    double fixed_step = 0;              ///< [s]; 0: chosen by the error test, which only BDF has
+    Method method = Method::bdf;  ///< of stepping
+    std::size_t max_order = 2;    ///< of BDF, 1 to 5; only 1 and 2 are A-stable
+    /// [s]; 0: chosen by the error test, which only BDF has. BDF makes shorter ones where bodies would pass
+    /// through each other, or where the equations are not solved.
+    double fixed_step = 0;
     Solver solver = Solver::automatic;  ///< of the equations of a BDF step
     bool sleep = false;                 ///< groups at rest are stepped no more until something reaches them
     Tolerances tolerances;              ///< of the error test, and of the equations' solution
